@@ -1,0 +1,40 @@
+# Every find_package of the project. By configuration file wherever the package has one, and CGAL
+# last: its configuration puts Find modules of its own on the path.
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+find_package(PNG REQUIRED)          # no configuration file: CMake's own module
+find_package(OpenSSL REQUIRED)      # likewise; for SHA-256
+find_package(glm CONFIG REQUIRED)
+find_package(TBB CONFIG REQUIRED)
+find_package(OpenMesh CONFIG REQUIRED)
+find_package(tinyobjloader CONFIG REQUIRED)
+find_package(OpenEXR CONFIG REQUIRED)
+find_package(nlohmann_json CONFIG REQUIRED)
+find_package(Boost CONFIG REQUIRED COMPONENTS iostreams)
+
+# rayshoot_find_part(PART PACKAGE...): sets RAYSHOOT_HAVE_<PART> from the option RAYSHOOT_<PART>.
+macro(rayshoot_find_part part)
+    set(RAYSHOOT_HAVE_${part} OFF)
+    if(RAYSHOOT_${part})
+        set(RAYSHOOT_HAVE_${part} ON)
+        foreach(package IN ITEMS ${ARGN})
+            if(RAYSHOOT_${part} STREQUAL "AUTO")
+                find_package(${package} CONFIG QUIET)
+            else()
+                find_package(${package} CONFIG REQUIRED)
+            endif()
+            if(NOT ${package}_FOUND)
+                set(RAYSHOOT_HAVE_${part} OFF)
+                message(STATUS "rayshoot: ${part} is left out, ${package} was not found")
+            endif()
+        endforeach()
+    endif()
+endmacro()
+
+rayshoot_find_part(BENCH benchmark CLI11)
+if(RAYSHOOT_TESTS STREQUAL "AUTO" AND NOT PROJECT_IS_TOP_LEVEL)
+    set(RAYSHOOT_TESTS OFF)
+endif()
+rayshoot_find_part(TESTS GTest rapidcheck)
+rayshoot_find_part(EMBREE embree)
+rayshoot_find_part(CGAL CGAL)
