@@ -1,0 +1,151 @@
+#pragma once
+
+#include "accel/core/counters.h"
+#include "accel/core/geometry.h"
+#include "accel/core/primitive/padding.h"
+
+/// The packed leaf format that all structures share, and the one place where primitives are tested,
+/// hits clamped and compared, and object tests counted.
+namespace rayshoot::inline RAYSHOOT_ISA {
+
+/// Where the search for a ray's hit starts: one lexicographic compare (t, then primitive) against it
+/// covers the interval's end too.
+inline Hit nothing_yet(const Ray& ray) { return {float_below(ray.t_max), no_primitive, 0, 0}; }
+
+/// Slots of one leaf, in a Leaves.
+struct LeafRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+};
+
+/// Primitives in leaf order: within a leaf by kind, then motion, then number, so that neither the
+/// switch on the kind nor the motion of the ray stands inside the loop over primitives.
+class Leaves {
+public:
+    Leaves() = default;
+    /// `order`: primitive numbers (repetitions allowed), `leaves`: ranges of it. Refers to `geometry`.
+    Leaves(const Geometry& geometry, std::span<const std::uint32_t> order,
+           std::span<const LeafRange> leaves);
+
+    /// Tests the ray against every primitive of a leaf; for Query::occluded until one is hit.
+    template <Query Q, Counter C>
+    void test(LeafRange leaf, const TestRay& ray, Hit& hit, C& count) const;
+
+    std::size_t bytes() const { return slots_.size() * sizeof(Slot); }
+    std::size_t size() const { return slots_.size(); }
+
+private:
+    struct Slot {
+        Triangle triangle;  ///< of a triangle; a sphere: centre in a, radius in b.x
+        std::uint32_t primitive;
+        std::uint32_t tag;  ///< motion * primitive_kinds + kind
+
+        PrimitiveKind kind() const { return static_cast<PrimitiveKind>(tag % primitive_kinds); }
+        std::uint32_t motion() const { return tag / primitive_kinds; }
+    };
+
+    Slot pack(std::uint32_t primitive) const;
+    /// `run`: slots of one kind and motion; `ray`: as their rest frame sees it.
+    template <Query Q, Counter C>
+    void test_run(std::span<const Slot> run, const TestRay& world, const TestRay& ray, Hit& hit,
+                  C& count) const;
+    template <Query Q, Counter C, class Intersect>
+    void test_each(std::span<const Slot> run, const TestRay& world, Hit& hit, C& count,
+                   Intersect&& intersect_slot) const;
+    Box bounds_of(const Slot& slot) const;
+
+    const Geometry* geometry_ = nullptr;
+    std::vector<Slot> slots_;
+};
+
+/// Tests one primitive: the shared test without a structure around it.
+template <Query Q, Counter C>
+void test_primitive(const Geometry& geometry, std::uint32_t primitive, const Ray& ray, Hit& hit,
+                    C& count) {
+    const LeafRange all{0, 1};
+    Leaves(geometry, std::span(&primitive, 1), std::span(&all, 1))
+        .test<Q>(all, TestRay(ray), hit, count);
+}
+
+/// The definition of a hit (README, rules 1 and 4): clamped to its primitive's bounds, then compared.
+/// Returns whether the primitive was hit at all.
+inline bool offer(float t, float u, float v, std::uint32_t primitive, const Box& bounds,
+                  const TestRay& world, Hit& hit) {
+    const Interval interval = clip(world, bounds);
+    if (interval.empty() || std::isnan(t)) return false;
+    t = interval.clamp(t);
+    if (t > world.t_min && (t < hit.t || (t == hit.t && primitive < hit.primitive)))
+        hit = {t, primitive, u, v};
+    return true;
+}
+
+/// Of a triangle that stands still: from the slot itself, which is at hand, not from memory far away.
+inline Box Leaves::bounds_of(const Slot& slot) const {
+    if (slot.tag == static_cast<std::uint32_t>(PrimitiveKind::triangle))
+        return padded(bounds(slot.triangle), geometry_->padding());
+    return geometry_->bounds(slot.primitive);
+}
+
+template <Query Q, Counter C, class Intersect>
+inline void Leaves::test_each(std::span<const Slot> run, const TestRay& world, Hit& hit, C& count,
+                              Intersect&& intersect_slot) const {
+    for (const Slot& slot : run) {
+        bool met = false;
+        intersect_slot(slot, [&](float t, float u, float v) {
+            met |= offer(t, u, v, slot.primitive, bounds_of(slot), world, hit);
+        });
+        count(Event::object_test);
+        if constexpr (C::counts) count(Event::object_hit, met);
+        if constexpr (Q == Query::occluded)
+            if (hit.primitive != no_primitive) return;
+    }
+}
+
+template <Query Q, Counter C>
+inline void Leaves::test_run(std::span<const Slot> run, const TestRay& world, const TestRay& ray,
+                             Hit& hit, C& count) const {
+    switch (run.front().kind()) {
+        case PrimitiveKind::triangle:
+            if (geometry_->precision() == Precision::standard)
+                return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& accept) {
+                    intersect(slot.triangle, ray, accept);
+                });
+            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& accept) {
+                intersect_watertight(slot.triangle, ray, accept);
+            });
+        case PrimitiveKind::sphere:
+            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& accept) {
+                intersect(Sphere{slot.triangle.a, slot.triangle.b.x}, ray, accept);
+            });
+        case PrimitiveKind::frustum:
+            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& accept) {
+                intersect(geometry_->frustum(geometry_->ref(slot.primitive).index), ray, accept);
+            });
+        case PrimitiveKind::polygon:
+            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& accept) {
+                intersect(geometry_->polygon(geometry_->ref(slot.primitive).index), ray, accept);
+            });
+    }
+}
+
+template <Query Q, Counter C>
+inline void Leaves::test(LeafRange leaf, const TestRay& ray, Hit& hit, C& count) const {
+    std::span<const Slot> rest(slots_.data() + leaf.first, leaf.count);
+    while (!rest.empty()) {
+        const std::uint32_t tag = rest.front().tag;
+        std::size_t length = 1;
+        while (length < rest.size() && rest[length].tag == tag) ++length;
+        if (const std::uint32_t motion = rest.front().motion(); motion == no_motion) [[likely]] {
+            test_run<Q>(rest.first(length), ray, ray, hit, count);
+        } else {
+            const Ray moving{ray.origin, ray.t_min, ray.direction, infinity, ray.time};
+            const TestRay at_rest(into_rest_frame(geometry_->motion(motion), moving));
+            test_run<Q>(rest.first(length), ray, at_rest, hit, count);
+        }
+        if constexpr (Q == Query::occluded)
+            if (hit.primitive != no_primitive) return;
+        rest = rest.subspan(length);
+    }
+}
+
+}  // namespace rayshoot::inline RAYSHOOT_ISA
