@@ -17,7 +17,7 @@ class Layout {
 public:
     explicit Layout(const BinaryTree& tree) : tree_(tree) {}
 
-    std::vector<Bvh::Node> nodes() && {
+    PagedVector<Bvh::Node> nodes() && {
         nodes_.reserve(tree_.nodes.size() / 2 + 1);
         nodes_.emplace_back();
         if (tree_.nodes.empty()) return std::move(nodes_);
@@ -63,7 +63,7 @@ private:
     }
 
     const BinaryTree& tree_;
-    std::vector<Bvh::Node> nodes_;
+    PagedVector<Bvh::Node> nodes_;
     std::vector<Pending> pending_;
 };
 

@@ -40,7 +40,7 @@ public:
     static_assert(sizeof(Node) == 64);
 
 private:
-    std::vector<Node> nodes_;
+    PagedVector<Node> nodes_;
     Leaves leaves_;
     Footprint footprint_;
 };

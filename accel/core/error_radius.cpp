@@ -20,11 +20,15 @@ double radius_of(PrimitiveKind kind, Precision precision, const Sizes& sizes) {
     const auto [distance, half_diagonal] = sizes;
     switch (kind) {
         case PrimitiveKind::triangle:
-            if (precision == Precision::watertight) return unit * (7 * distance + 3 * half_diagonal);
+            if (precision == Precision::watertight)
+                return unit * (7 * distance + 3 * half_diagonal);
             return unit / double(float_parallel) * (30 * distance + 15 * half_diagonal);
-        case PrimitiveKind::sphere: return 256 * unit * distance;
-        case PrimitiveKind::frustum: return unit * (1.5 * distance + 6 * half_diagonal);
-        case PrimitiveKind::polygon: break;
+        case PrimitiveKind::sphere:
+            return 48 * unit * distance;
+        case PrimitiveKind::frustum:
+            return unit * (1.5 * distance + 6 * half_diagonal);
+        case PrimitiveKind::polygon:
+            break;
     }
     return unit * 1.5 * distance;
 }
@@ -46,12 +50,13 @@ float Geometry::error_radius(float reach) const {
     double radius = 0;
     for (std::size_t kind = 0; kind < counts.size(); ++kind)
         if (counts[kind] > 0)
-            radius = std::max(radius, radius_of(static_cast<PrimitiveKind>(kind), precision_, sizes));
+            radius =
+                std::max(radius, radius_of(static_cast<PrimitiveKind>(kind), precision_, sizes));
     double moving = 0;
     for (const PrimitiveRef& ref : refs_)
         if (ref.motion != no_motion)
-            moving = std::max(moving, 2 * sizes.distance +
-                                          moving_size(motion(ref.motion), rest_bounds(ref)));
+            moving = std::max(
+                moving, 2 * sizes.distance + moving_size(motion(ref.motion), rest_bounds(ref)));
     // The last term lets whoever grows a box by this radius use the slab form on it.
     return rounded_up(radius + unit * moving + 4 * unit * sizes.distance);
 }

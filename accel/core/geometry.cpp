@@ -15,10 +15,14 @@ namespace {
 template <class Ask>
 auto with_shape(const Geometry& geometry, const PrimitiveRef& ref, Ask&& ask) {
     switch (ref.kind) {
-        case PrimitiveKind::triangle: return ask(geometry.triangle(ref.index));
-        case PrimitiveKind::sphere: return ask(geometry.sphere(ref.index));
-        case PrimitiveKind::frustum: return ask(geometry.frustum(ref.index));
-        case PrimitiveKind::polygon: break;
+        case PrimitiveKind::triangle:
+            return ask(geometry.triangle(ref.index));
+        case PrimitiveKind::sphere:
+            return ask(geometry.sphere(ref.index));
+        case PrimitiveKind::frustum:
+            return ask(geometry.frustum(ref.index));
+        case PrimitiveKind::polygon:
+            break;
     }
     return ask(geometry.polygon(ref.index));
 }
@@ -75,9 +79,8 @@ Box Geometry::clipped_bounds(std::uint32_t primitive, const Box& box, float radi
     const PrimitiveRef& ref = refs_[primitive];
     const Box& own = bounds_[primitive];
     if (ref.motion != no_motion) return own.overlaps(box) ? own : Box{};
-    const Box part = with_shape(*this, ref, [&](const auto& shape) {
-        return rayshoot::clipped_bounds(shape, box);
-    });
+    const Box part = with_shape(
+        *this, ref, [&](const auto& shape) { return rayshoot::clipped_bounds(shape, box); });
     return part.empty() ? Box{} : part.grown(radius).intersection(own);
 }
 
@@ -85,17 +88,15 @@ bool Geometry::overlaps(std::uint32_t primitive, const Box& box, float radius) c
     const PrimitiveRef& ref = refs_[primitive];
     if (ref.motion != no_motion)
         return !box.empty() && bounds_[primitive].grown(radius).overlaps(box);
-    return with_shape(*this, ref, [&](const auto& shape) {
-        return rayshoot::overlaps(shape, box, radius);
-    });
+    return with_shape(*this, ref,
+                      [&](const auto& shape) { return rayshoot::overlaps(shape, box, radius); });
 }
 
 float Geometry::support(std::uint32_t primitive, const vec3& direction) const {
     const PrimitiveRef& ref = refs_[primitive];
     if (ref.motion != no_motion) return box_support(bounds_[primitive], direction);
-    return with_shape(*this, ref, [&](const auto& shape) {
-        return rayshoot::support(shape, direction);
-    });
+    return with_shape(*this, ref,
+                      [&](const auto& shape) { return rayshoot::support(shape, direction); });
 }
 
 Normals Geometry::normal(const Ray& ray, const Hit& hit) const {

@@ -18,12 +18,13 @@ void require_finite(const vec3& p, const char* what) {
 
 void require_radius(float radius, const char* what) {
     if (!(radius >= 0) || !std::isfinite(radius))
-        throw std::invalid_argument(std::string(what) + " must be finite and not negative, but is " +
+        throw std::invalid_argument(std::string(what) +
+                                    " must be finite and not negative, but is " +
                                     std::to_string(radius));
 }
 
-/// Share of scene diagonal plus largest coordinate by which watertight bounds are padded: 15 for the
-/// slab form and 16 for the shear, in units of 2^-24, seen from four diagonals away (README).
+/// Share of scene diagonal plus largest coordinate by which watertight bounds are padded: 15 for
+/// the slab form and 16 for the shear, in units of 2^-24, seen from four diagonals away (README).
 constexpr double watertight_padding = 0x1p-19;
 
 float scene_padding(const Box& scene) {
@@ -104,7 +105,8 @@ std::uint32_t GeometryBuilder::add_polygon(std::span<const vec3> corners,
     if (corners.size() == 3) {
         std::array<std::uint32_t, 3> vertices{};
         for (std::size_t i = 0; i < 3; ++i)
-            vertices[i] = normals.empty() ? add_vertex(corners[i]) : add_vertex(corners[i], normals[i]);
+            vertices[i] =
+                normals.empty() ? add_vertex(corners[i]) : add_vertex(corners[i], normals[i]);
         return add_triangle(vertices, motion);
     }
     const std::uint32_t number = add(PrimitiveKind::polygon, geometry_.polygons_.size(), motion);

@@ -46,6 +46,7 @@ public:
     virtual std::size_t bytes() const { return 0; }
 };
 
+/// Must outlive its sessions, as the geometry, lights and hierarchy it was built from must outlive it.
 class Accel {
 public:
     virtual ~Accel() = default;

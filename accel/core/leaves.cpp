@@ -14,6 +14,10 @@ Leaves::Leaves(const Geometry& geometry, std::span<const std::uint32_t> order,
                   [](const Slot& l, const Slot& r) {
                       return l.tag != r.tag ? l.tag < r.tag : l.primitive < r.primitive;
                   });
+    plain_ = geometry.precision() == Precision::standard &&
+             std::all_of(slots_.begin(), slots_.end(), [](const Slot& slot) {
+                 return slot.kind() == PrimitiveKind::triangle && slot.motion() == no_motion;
+             });
 }
 
 Leaves::Slot Leaves::pack(std::uint32_t primitive) const {

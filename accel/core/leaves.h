@@ -2,6 +2,7 @@
 
 #include "accel/core/counters.h"
 #include "accel/core/geometry.h"
+#include "accel/core/pages.h"
 #include "accel/core/primitive/padding.h"
 
 /// The packed leaf format that all structures share, and the one place where primitives are tested,
@@ -55,7 +56,8 @@ private:
     Box bounds_of(const Slot& slot) const;
 
     const Geometry* geometry_ = nullptr;
-    std::vector<Slot> slots_;
+    PagedVector<Slot> slots_;
+    bool plain_ = false;  ///< nothing but triangles that stand still, in the standard precision
 };
 
 /// Tests one primitive: the shared test without a structure around it.
@@ -131,6 +133,10 @@ inline void Leaves::test_run(std::span<const Slot> run, const TestRay& world, co
 template <Query Q, Counter C>
 inline void Leaves::test(LeafRange leaf, const TestRay& ray, Hit& hit, C& count) const {
     std::span<const Slot> rest(slots_.data() + leaf.first, leaf.count);
+    if (plain_)  // the most common case, without the calls that the others need
+        return test_each<Q>(rest, ray, hit, count, [&](const Slot& slot, auto&& accept) {
+            intersect(slot.triangle, ray, accept);
+        });
     while (!rest.empty()) {
         const std::uint32_t tag = rest.front().tag;
         std::size_t length = 1;

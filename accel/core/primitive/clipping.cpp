@@ -18,12 +18,9 @@ public:
     void clear() { size_ = 0; }
     void add(const dvec3& p) {
         if (size_ == few_.size() && many_.empty()) many_.assign(few_.begin(), few_.end());
-        if (many_.empty())
-            few_[size_] = p;
-        else if (size_ < many_.size())
-            many_[size_] = p;
-        else
-            many_.push_back(p);
+        if (many_.empty()) few_[size_] = p;
+        else if (size_ < many_.size()) many_[size_] = p;
+        else many_.push_back(p);
         ++size_;
     }
     std::span<const dvec3> all() const {

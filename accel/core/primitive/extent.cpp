@@ -30,8 +30,8 @@ dvec3 unit_or_up(const dvec3& direction) {
 bool separated(const std::array<dvec3, 3>& p, const dvec3& half, const dvec3& axis) {
     const double a = dot(p[0], axis), b = dot(p[1], axis), c = dot(p[2], axis);
     const double reach = dot(half, glm::abs(axis));
-    const double size = reach + std::max({taxicab(p[0]), taxicab(p[1]), taxicab(p[2])}) *
-                                    taxicab(axis);
+    const double size =
+        reach + std::max({taxicab(p[0]), taxicab(p[1]), taxicab(p[2])}) * taxicab(axis);
     const double gap = std::max(std::min({a, b, c}), -std::max({a, b, c})) - reach;
     return gap > slack * size;
 }
@@ -104,8 +104,10 @@ Box clipped_bounds(const Sphere& sphere, const Box& box) {
             part.lo[axis] = std::max(part.lo[axis], rounded_down(c - far));
             part.hi[axis] = std::min(part.hi[axis], rounded_up(c + far));
             // Nothing of the surface is nearer to the centre's plane than `near`.
-            if (part.lo[axis] > c - near) part.lo[axis] = std::max(part.lo[axis], rounded_down(c + near));
-            if (part.hi[axis] < c + near) part.hi[axis] = std::min(part.hi[axis], rounded_up(c - near));
+            if (part.lo[axis] > c - near)
+                part.lo[axis] = std::max(part.lo[axis], rounded_down(c + near));
+            if (part.hi[axis] < c + near)
+                part.hi[axis] = std::min(part.hi[axis], rounded_up(c - near));
         }
     }
     return part.empty() ? Box{} : part;

@@ -45,8 +45,10 @@ struct AxialLine {
     double reach, growth;
 
     AxialLine(const Axis& axis, const dvec3& position, const dvec3& direction)
-        : off_axis(cross(position, axis.unit)), turn(cross(direction, axis.unit)),
-          height(dot(position, axis.unit)), climb(dot(direction, axis.unit)) {
+        : off_axis(cross(position, axis.unit)),
+          turn(cross(direction, axis.unit)),
+          height(dot(position, axis.unit)),
+          climb(dot(direction, axis.unit)) {
         set_radii(axis);
     }
     /// Moves the line's zero by t.
@@ -194,7 +196,8 @@ bool beside_surface(const Axis& axis, const Box& box, double margin) {
         dvec3 p = centre;
         for (int i = 0; i < 3; ++i) p[i] += (corner >> i & 1) ? half[i] : -half[i];
         const double radius = std::fma(axis.slope, dot(p, axis.unit), axis.radius);
-        inside = inside && length(cross(p, axis.unit)) + margin * (1 + std::abs(axis.slope)) < radius;
+        inside =
+            inside && length(cross(p, axis.unit)) + margin * (1 + std::abs(axis.slope)) < radius;
     }
     if (inside) return true;
     // The tangent plane of the cone towards the box's centre: no point of the surface is beyond it.
@@ -213,8 +216,9 @@ double margin_of(const Box& whole) { return slack * double(largest_coordinate(wh
 Box bounds(const Frustum& frustum) {
     const Axis axis(frustum);
     Box box;
-    for (const auto& [centre, radius] : {std::pair(dvec3(frustum.base), double(frustum.base_radius)),
-                                         std::pair(dvec3(frustum.apex), double(frustum.apex_radius))}) {
+    for (const auto& [centre, radius] :
+         {std::pair(dvec3(frustum.base), double(frustum.base_radius)),
+          std::pair(dvec3(frustum.apex), double(frustum.apex_radius))}) {
         const dvec3 reach = radius * (axis.circle_extent() * (1 + 0x1p-48));
         Box circle;
         for (int i = 0; i < 3; ++i) {

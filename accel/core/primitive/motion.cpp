@@ -71,7 +71,8 @@ constexpr double slack = 0x1p-46;
 /// Encloses the way from one pose to the next: the chord of a circle and its rise, plus the range
 /// of the translation.
 void include_way(Box& box, const Pose& from, const Pose& to, const dvec3& pivot, double radius) {
-    // Half the angle turned lies between the quaternions; an arc rises 1 - cos(half) over its chord.
+    // Half the angle turned lies between the quaternions; an arc rises 1 - cos(half) over its
+    // chord.
     const double rise = std::clamp(1 - from.rotation.dot_with(to.rotation), 0.0, 1.0) * radius;
     for (int axis = 0; axis < 3; ++axis) {
         const auto [near, far] = std::minmax(from.translation[axis], to.translation[axis]);
@@ -79,8 +80,7 @@ void include_way(Box& box, const Pose& from, const Pose& to, const dvec3& pivot,
             rise + slack * (radius + std::abs(near) + std::abs(far) + std::abs(pivot[axis]));
         for (std::size_t i = 0; i < from.turned.size(); ++i) {
             const auto [lo, hi] = std::minmax(from.turned[i][axis], to.turned[i][axis]);
-            box.lo[axis] =
-                std::min(box.lo[axis], rounded_down(pivot[axis] + (near + lo) - margin));
+            box.lo[axis] = std::min(box.lo[axis], rounded_down(pivot[axis] + (near + lo) - margin));
             box.hi[axis] = std::max(box.hi[axis], rounded_up(pivot[axis] + (far + hi) + margin));
         }
     }
@@ -130,9 +130,10 @@ void require_rigid(const Motion& motion) {
         const double size = std::sqrt(double(q[0]) * q[0] + double(q[1]) * q[1] +
                                       double(q[2]) * q[2] + double(q[3]) * q[3]);
         if (!(std::abs(size - 1) <= 1e-3))
-            throw std::invalid_argument("a motion's rotation must be a unit quaternion (x, y, z, "
-                                        "w), but its length is " +
-                                        std::to_string(size) + ": normalise it");
+            throw std::invalid_argument(
+                "a motion's rotation must be a unit quaternion (x, y, z, "
+                "w), but its length is " +
+                std::to_string(size) + ": normalise it");
     }
     constexpr double cos_170_degrees = -0.98480775301220806;
     if (Rotation(motion.rotation[0]).dot_with(Rotation(motion.rotation[1])) < cos_170_degrees)

@@ -108,8 +108,8 @@ dvec3 flattened(const Polygon& polygon, const vec3& corner) {
     dvec3 flat(corner);
     const dvec3& n = polygon.normal;
     if (n[axis] != 0)
-        flat[axis] = polygon.centre[axis] -
-                     std::fma(n[j], from_centre[j], n[k] * from_centre[k]) / n[axis];
+        flat[axis] =
+            polygon.centre[axis] - std::fma(n[j], from_centre[j], n[k] * from_centre[k]) / n[axis];
     return flat;
 }
 
@@ -175,8 +175,7 @@ vec3 shading_normal(const Polygon& polygon, const vec3& point) {
     SeenCorner a(polygon, polygon.corners.size() - 1, point);
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
         const SeenCorner b(polygon, i, point);
-        const double twice_area =
-            a.from_point.x * b.from_point.y - a.from_point.y * b.from_point.x;
+        const double twice_area = a.from_point.x * b.from_point.y - a.from_point.y * b.from_point.x;
         const double product = a.from_point.x * b.from_point.x + a.from_point.y * b.from_point.y;
         if (twice_area == 0 && product <= 0)  // on this edge, or at one of its ends
             return unit_or(b.distance * a.normal + a.distance * b.normal, flat);

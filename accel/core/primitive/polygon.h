@@ -16,8 +16,8 @@ struct Polygon {
     std::vector<vec3> corners;
     std::vector<vec3> normals;  ///< empty, or one per corner
     dvec3 centre{0};            ///< average of the corners: a point of the plane
-    dvec3 normal{0};            ///< Newell's: right-handed, as long as twice the area; zero: never hit
-    int axis = 2;               ///< in which |normal| is largest: dropped by the inside test
+    dvec3 normal{0};  ///< Newell's: right-handed, as long as twice the area; zero: never hit
+    int axis = 2;     ///< in which |normal| is largest: dropped by the inside test
 };
 
 /// Throws std::invalid_argument for fewer than 3 corners or another number of normals than of

@@ -1,20 +1,17 @@
 #pragma once
 
-#include "accel/core/isa.h"
-
-#include <cmath>
-#include <limits>
+#include "accel/core/neighbour.h"
 
 /// From double to the float next to it on the side that is asked for.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// The largest float that is not above x.
+/// The largest float that is not above x; x is not NaN.
 inline float rounded_down(double x) {
     const float near = static_cast<float>(x);
-    return near > x ? std::nextafter(near, -std::numeric_limits<float>::infinity()) : near;
+    return near > x ? float_below(near) : near;
 }
 
-/// The smallest float that is not below x.
+/// The smallest float that is not below x; x is not NaN.
 inline float rounded_up(double x) { return -rounded_down(-x); }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "accel/core/isa.h"
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+/// Memory for the large arrays that rays jump about in.
+namespace rayshoot::inline RAYSHOOT_ISA {
+
+/// Bytes aligned for the largest use; from 2 MiB upward on huge pages where the system grants them,
+/// which spares most of the address translations. Throws std::bad_alloc.
+void* allocate_pages(std::size_t bytes);
+void free_pages(void* pages) noexcept;
+
+template <class T>
+struct PageAllocator {
+    using value_type = T;
+
+    PageAllocator() = default;
+    template <class U>
+    PageAllocator(const PageAllocator<U>&) {}
+
+    T* allocate(std::size_t n) {
+        if (n > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
+        return static_cast<T*>(allocate_pages(n * sizeof(T)));
+    }
+    void deallocate(T* pages, std::size_t) noexcept { free_pages(pages); }
+    bool operator==(const PageAllocator&) const = default;
+};
+
+template <class T>
+using PagedVector = std::vector<T, PageAllocator<T>>;
+
+}  // namespace rayshoot::inline RAYSHOOT_ISA
