@@ -1,0 +1,110 @@
+#include "data/digest.h"
+#include "data/scene.h"
+
+namespace rayshoot {
+
+namespace {
+
+/// Adds values one after the other; sequences with their length in front.
+class Writer {
+public:
+    template <class... Values>
+    void operator()(const Values&... values) {
+        (put(values), ...);
+    }
+    template <class Sequence>
+    void sequence(const Sequence& values) {
+        put(static_cast<std::uint64_t>(values.size()));
+        for (const auto& value : values) put(value);
+    }
+    std::string hex() const { return digest_.hex(); }
+
+private:
+    template <class Number>
+    requires std::integral<Number> || std::floating_point<Number>
+    void put(Number value) { digest_.add(value); }
+    template <class Enumeration>
+    requires std::is_enum_v<Enumeration>
+    void put(Enumeration value) { digest_.add(static_cast<std::uint32_t>(value)); }
+    template <class Value, std::size_t size>
+    void put(const std::array<Value, size>& values) {
+        for (const Value& value : values) put(value);
+    }
+    void put(const vec3& v) { (*this)(v.x, v.y, v.z); }
+    void put(const Box& box) { (*this)(box.lo, box.hi); }
+    void put(const Sphere& sphere) { (*this)(sphere.centre, sphere.radius); }
+    void put(const Motion& motion) { (*this)(motion.pivot, motion.translation, motion.rotation); }
+    void put(std::monostate) {}
+
+    Digest digest_;
+};
+
+void add_primitive(Writer& out, const Geometry& geometry, const PrimitiveRef& ref) {
+    out(ref.kind);
+    switch (ref.kind) {
+        case PrimitiveKind::triangle:
+            out(geometry.triangles()[ref.index]);
+            break;
+        case PrimitiveKind::sphere:
+            out(geometry.sphere(ref.index));
+            break;
+        case PrimitiveKind::frustum: {
+            const Frustum& f = geometry.frustum(ref.index);
+            out(f.base, f.base_radius, f.apex, f.apex_radius);
+            break;
+        }
+        case PrimitiveKind::polygon: {
+            const Polygon& p = geometry.polygon(ref.index);
+            out.sequence(p.corners);
+            out.sequence(p.normals);
+            break;
+        }
+    }
+    if (ref.motion != no_motion) out(geometry.motion(ref.motion));
+}
+
+void add_geometry(Writer& out, const Geometry& geometry) {
+    out(geometry.precision());
+    out.sequence(geometry.vertices());
+    out.sequence(geometry.vertex_normals());
+    out(geometry.size());
+    for (std::uint32_t i = 0; i < geometry.size(); ++i)
+        add_primitive(out, geometry, geometry.ref(i));
+}
+
+void add_material(Writer& out, const Material& m) {
+    out(m.colour, m.diffuse, m.specular, m.shininess, m.transmittance, m.refraction_index);
+}
+
+void add_light(Writer& out, const Light& light) {
+    out(light.kind, light.position, light.direction, light.edge_u, light.edge_v, light.radius,
+        light.cos_inner, light.cos_outer, light.intensity, light.samples, light.strata_u,
+        light.strata_v);
+    out.sequence(light.primitives);
+}
+
+void add_hierarchy(Writer& out, const Hierarchy& hierarchy) {
+    out(static_cast<std::uint64_t>(hierarchy.groups.size()));
+    for (const Hierarchy::Group& group : hierarchy.groups) {
+        out(static_cast<std::uint32_t>(group.bound.index()));
+        std::visit([&out](const auto& bound) { out(bound); }, group.bound);
+        out.sequence(group.groups);
+        out.sequence(group.primitives);
+    }
+}
+
+}  // namespace
+
+std::string digest(const Scene& scene) {
+    Writer out;
+    add_geometry(out, scene.geometry);
+    for (const Material& material : scene.materials) add_material(out, material);
+    out.sequence(scene.material_of);
+    for (const Light& light : scene.lights) add_light(out, light);
+    const Camera& c = scene.camera;
+    out(c.from, c.at, c.up, c.angle, c.hither, c.width, c.height, scene.background);
+    if (scene.hierarchy) add_hierarchy(out, *scene.hierarchy);
+    return out.hex();
+}
+
+}  // namespace rayshoot

@@ -1,0 +1,178 @@
+#include "data/scenes.h"
+
+#include "data/file.h"
+#include "data/generators/generators.h"
+#include "data/mesh.h"
+#include "data/mesh_catalogue.h"
+#include "data/nff.h"
+#include "data/obj.h"
+#include "data/scene_options.h"
+#include "data/tokens.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace rayshoot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 5> formats{".nff", ".obj", ".ply", ".off", ".stl"};
+constexpr int most_levels = 8;  // of subdivision; the triangle bound of subdivide() ends it sooner
+
+bool known_format(const fs::path& path) {
+    return std::ranges::find(formats, format_of(path)) != formats.end();
+}
+
+bool present(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(path, error);
+}
+
+/// As given, or below the user's collection when it is only there.
+fs::path resolved(const fs::path& path) {
+    if (path.is_absolute() || path.empty() || present(path)) return path;
+    const auto collection = scene_collection();
+    return collection && present(*collection / path) ? *collection / path : path;
+}
+
+Precision precision_of(const SceneOptions& options) {
+    const std::string given = options.text("precision", "default");
+    if (given == "watertight") return Precision::watertight;
+    if (given != "default")
+        throw std::invalid_argument("precision=" + given + " is not one of default, watertight");
+    return Precision::standard;
+}
+
+/// Material libraries lie beside their OBJ file; one that is not there is left out.
+MaterialLibrary libraries_beside(const fs::path& obj) {
+    return [folder = obj.parent_path()](const std::string& name) -> std::optional<std::string> {
+        std::error_code error;
+        if (!fs::is_regular_file(folder / name, error)) return std::nullopt;
+        return read_file(folder / name);
+    };
+}
+
+Mesh load_mesh(const fs::path& path, const std::string& name) {
+    const std::string text = read_file(path);
+    const std::string format = format_of(path);
+    return format == ".obj" ? read_obj(text, name, libraries_beside(path))
+                            : read_mesh(text, format, name);
+}
+
+/// `name`: the file's, as errors show it.
+Scene load_file(const fs::path& path, const std::string& name, const SceneOptions& options) {
+    const Precision precision = precision_of(options);
+    const SceneOptions rest = options.without("precision");
+    if (format_of(path) == ".nff") {
+        rest.require_known({});
+        return read_nff(read_file(path), name, precision);
+    }
+    rest.require_known({"loop"});
+    const int levels = rest.integer("loop", 0, 0, most_levels);
+    return mesh_scene(subdivide(load_mesh(path, name), levels, name), precision, name);
+}
+
+Scene load_catalogued(const MeshEntry& mesh, const SceneOptions& options) {
+    const auto path = locate(mesh);
+    if (!path)
+        throw std::invalid_argument(std::string(mesh.name) +
+                                    " is not on this machine; to get it: " + how_to_get(mesh));
+    Scene scene = load_file(*path, std::string(mesh.file), options);
+    if (mesh.interior) {
+        scene.camera = mesh.interior->camera;
+        Light& lamp = scene.lights.front();
+        lamp.position = mesh.interior->lamp;
+        lamp.samples = {lamp.position, lamp.position};
+    }
+    return scene;
+}
+
+[[noreturn]] void refuse_unknown(std::string_view name) {
+    std::string known;
+    for (const GeneratorInfo& generator : generators()) known += std::string(generator.name) + ", ";
+    for (const MeshEntry& mesh : mesh_catalogue()) known += std::string(mesh.name) + ", ";
+    throw std::invalid_argument(quoted(name) + " is no scene; there are " + known +
+                                "and files that end in .nff, .obj, .ply, .off or .stl "
+                                "(also .xz or .gz)");
+}
+
+/// The scene's name and its options: the last colon of the last folder's part divides them.
+std::pair<std::string_view, std::string_view> divided(std::string_view scene) {
+    const std::size_t slash = scene.rfind('/');
+    const std::size_t colon = scene.find(':', slash == scene.npos ? 0 : slash);
+    if (colon == scene.npos || present(fs::path(scene))) return {scene, {}};
+    return {scene.substr(0, colon), scene.substr(colon + 1)};
+}
+
+std::string options_of(const GeneratorInfo& generator) {
+    std::ostringstream text;
+    text << std::setprecision(std::numeric_limits<double>::digits10);
+    for (const GeneratorOption& option : generator.options)
+        text << (text.tellp() > 0 ? ", " : "") << option.name << "=" << option.lowest << ".."
+             << option.highest << " (" << option.fallback << ")";
+    return text.str();
+}
+
+void append_collection(std::vector<SceneInfo>& scenes) {
+    const auto folder = scene_collection();
+    if (!folder) return;
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::recursive_directory_iterator file(*folder, error), end; !error && file != end;
+         file.increment(error))
+        if (file->is_regular_file(error) && known_format(file->path()))
+            names.push_back(file->path().lexically_relative(*folder).generic_string());
+    std::ranges::sort(names);
+    for (const std::string& name : names)
+        scenes.push_back({name, format_of(name) == ".nff" ? "" : "loop=0..8 (0)",
+                          "a file below $RAYSHOOT_SCENES", true, ""});
+}
+
+}  // namespace
+
+Scene load_scene(std::string_view scene) {
+    const auto [name, option_text] = divided(scene);
+    if (name.empty())
+        throw std::invalid_argument("the scene string is empty; name a scene or give a file");
+    const SceneOptions options(name, option_text);
+    Scene result;
+    if (is_generator(name)) {
+        const Precision precision = precision_of(options);
+        result = generate(name, options.without("precision"), precision);
+    } else if (const MeshEntry* mesh = find_mesh(name)) {
+        result = load_catalogued(*mesh, options);
+    } else {
+        const fs::path path = resolved(name);
+        if (!path.empty() && !present(path) && !known_format(path)) refuse_unknown(name);
+        if (present(path) && fs::is_regular_file(path) && !known_format(path))
+            throw std::invalid_argument(std::string(name) +
+                                        ": its name does not end in .nff, .obj, .ply, .off or "
+                                        ".stl (also .xz or .gz); rename or convert it");
+        result = load_file(path, std::string(name), options);
+    }
+    result.name = scene;
+    return result;
+}
+
+std::vector<SceneInfo> list_scenes() {
+    std::vector<SceneInfo> scenes;
+    for (const GeneratorInfo& generator : generators())
+        scenes.push_back({std::string(generator.name), options_of(generator),
+                          std::string(generator.summary), true, ""});
+    for (const MeshEntry& mesh : mesh_catalogue()) {
+        const bool available = locate(mesh).has_value();
+        scenes.push_back({std::string(mesh.name), "loop=0..8 (0)", std::string(mesh.summary),
+                          available, available ? "" : how_to_get(mesh)});
+    }
+    append_collection(scenes);
+    return scenes;
+}
+
+}  // namespace rayshoot

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "data/scene.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Scene strings: how scenes are named everywhere.
+///
+///     spd/balls   spd/tetra:size=8   soup:count=100000,seed=7     a generated scene
+///     mesh/bunny  mesh/spot:loop=2                                a mesh of the catalogue
+///     path/to/scene.nff.xz   model.ply:loop=1,precision=watertight   a file
+///
+/// Every scene has the option precision=default|watertight. A relative path that does not exist is
+/// looked for below $RAYSHOOT_SCENES as well.
+namespace rayshoot {
+
+/// Throws std::invalid_argument, saying what exists or what to do, when there is no such scene or
+/// its file is unsound. Not to be called from two threads at once (see read_mesh).
+Scene load_scene(std::string_view scene);
+
+struct SceneInfo {
+    std::string name;     ///< what load_scene takes
+    std::string options;  ///< as help shows them: "size=1..9 (4)"; precision is not repeated
+    std::string summary;
+    bool available = true;
+    std::string command;  ///< what gets it where it is not available, else empty
+};
+
+/// The generated scenes, the meshes of the catalogue and the files below $RAYSHOOT_SCENES.
+std::vector<SceneInfo> list_scenes();
+
+}  // namespace rayshoot
