@@ -1,0 +1,107 @@
+#include "tracer/camera.h"
+
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "tracer/random.h"
+
+namespace rayshoot {
+namespace {
+
+struct Frame {
+    dvec3 right, up, forward;  ///< orthonormal, right-handed: forward = up x right
+};
+
+Frame frame_of(const Camera& camera) {
+    const dvec3 axis = dvec3(camera.at) - dvec3(camera.from);
+    if (!(length(axis) > 0)) {
+        throw std::invalid_argument("camera: `from` and `at` are the same point; move one of them");
+    }
+    const dvec3 forward = normalised(axis);
+    const dvec3 side = cross(forward, dvec3(camera.up));
+    // sin of the angle between the axis and up; below it the rounding of the input decides.
+    if (!(length(side) > 1e-6 * length(dvec3(camera.up)))) {
+        throw std::invalid_argument(
+            "camera: `up` is zero or parallel to the viewing axis; give another one");
+    }
+    const dvec3 right = normalised(side);
+    return {right, cross(right, forward), forward};
+}
+
+/// The most nearly square factorisation: the smaller factor.
+int smaller_factor(int count) {
+    int factor = 1;
+    for (int candidate = 2; candidate * candidate <= count; ++candidate) {
+        if (count % candidate == 0) factor = candidate;
+    }
+    return factor;
+}
+
+}  // namespace
+
+void require_valid(const ImageFormat& format) {
+    const auto check = [](const char* what, int value, int largest) {
+        if (value >= 1 && value <= largest) return;
+        throw std::invalid_argument(std::string(what) + " " + std::to_string(value) +
+                                    ": must be from 1 to " + std::to_string(largest));
+    };
+    check("image width", format.width, largest_image);
+    check("image height", format.height, largest_image);
+    check("samples per pixel", format.spp, largest_spp);
+}
+
+View make_view(const Camera& camera, const ImageFormat& format) {
+    return CameraRays(camera, format).view();
+}
+
+BuildInput build_input(const Scene& scene, const ImageFormat& format) {
+    return {scene.geometry, make_view(scene.camera, format), scene.lights,
+            scene.hierarchy ? &*scene.hierarchy : nullptr};
+}
+
+CameraRays::CameraRays(const Camera& camera, const ImageFormat& format) : format_(format) {
+    require_valid(format);
+    if (!(camera.angle > 0 && camera.angle < 180)) {
+        throw std::invalid_argument("camera: angle " + std::to_string(camera.angle) +
+                                    ": must be more than 0 and less than 180 degrees");
+    }
+    const Frame frame = frame_of(camera);
+    const double half = std::tan(camera.angle * (std::numbers::pi / 360));
+    const int spans = format.raster == Raster::centres ? format.height : format.height - 1;
+    const double cell = 2 * half / (spans > 0 ? spans : 1);  // edge of a cell at distance 1
+    across_ = frame.right * cell;
+    down_ = frame.up * -cell;
+    to_corner_ = frame.forward - across_ * (0.5 * format.width) - down_ * (0.5 * format.height);
+    view_.eye = camera.from;
+    view_.right = vec3(frame.right);
+    view_.up = vec3(frame.up);
+    view_.forward = vec3(frame.forward);
+    view_.to_corner = vec3(to_corner_);
+    view_.across = vec3(across_);
+    view_.down = vec3(down_);
+    view_.width = format.width;
+    view_.height = format.height;
+    strata_down_ = smaller_factor(format.spp);
+    strata_across_ = format.spp / strata_down_;
+}
+
+Ray CameraRays::ray(Pixel pixel, int sample) const {
+    double x = 0.5, y = 0.5;  // within the cell
+    if (format_.spp > 1) {
+        const auto index =
+            static_cast<std::uint32_t>(pixel.y) * static_cast<std::uint32_t>(format_.width) +
+            static_cast<std::uint32_t>(pixel.x);
+        const RandomSequence random(format_.seed, index, static_cast<std::uint32_t>(sample));
+        x = (sample % strata_across_ + double{random.number(0)}) / strata_across_;
+        y = (sample / strata_across_ + double{random.number(1)}) / strata_down_;
+    }
+    // In double, so that the only rounding is the last one.
+    const dvec3 direction = to_corner_ + across_ * (pixel.x + x) + down_ * (pixel.y + y);
+    Ray ray;
+    ray.origin = view_.eye;
+    ray.direction = vec3(direction);
+    return ray;
+}
+
+}  // namespace rayshoot

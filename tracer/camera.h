@@ -1,0 +1,69 @@
+#pragma once
+
+#include "accel/core/build_input.h"
+#include "accel/core/ray.h"
+#include "data/scene.h"
+
+#include <cstdint>
+
+/// From a scene's camera and an image size to a View, and from a View to camera rays.
+namespace rayshoot {
+
+/// Where the rays of an image go through.
+/// corners: the SPD testing rules. The outermost rays are `Camera::angle` apart, so 513 x 513 rays
+/// are the corners of 512 x 512 pixels: slope (2i / 512 - 1) tan(angle / 2). Cells of the raster
+/// are then centred on the corners. centres: the image is `Camera::angle` high and rays go through
+/// the middle of its pixels.
+enum class Raster : std::uint8_t { corners, centres };
+
+/// What an image is made of; one cell of the raster, with `spp` camera rays, becomes one pixel.
+struct ImageFormat {
+    int width = 513, height = 513;  ///< cells, 1 to largest_image each
+    int spp = 1;                    ///< camera rays per cell; 1: through its middle, else jittered
+    Raster raster = Raster::corners;
+    std::uint32_t seed = 0;  ///< of the jitter
+};
+inline constexpr int largest_image = 32767;  ///< cells along an axis: Source::cell holds int16
+inline constexpr int largest_spp = 1 << 16;
+
+/// 513 x 513 corner rays, as the SPD testing rules ask for.
+inline constexpr ImageFormat spd_format{};
+/// 512 x 512 pixel centres: the format for meshes.
+inline constexpr ImageFormat mesh_format{512, 512, 1, Raster::centres, 0};
+
+/// Throws std::invalid_argument, saying what is accepted, for a size or sample count out of range.
+void require_valid(const ImageFormat& format);
+
+/// `hither` is not applied: the SPD tables are of unclipped scenes. Throws std::invalid_argument
+/// for a camera that looks nowhere (from = at), along its up vector, or at an angle outside (0,
+/// 180).
+View make_view(const Camera& camera, const ImageFormat& format);
+
+/// What a structure for rendering `scene` in this format is built from; refers to `scene`.
+BuildInput build_input(const Scene& scene, const ImageFormat& format);
+
+struct Pixel {
+    std::int16_t x = 0, y = 0;
+    bool operator==(const Pixel&) const = default;
+};
+
+/// The camera rays of an image.
+class CameraRays {
+public:
+    CameraRays(const Camera& camera, const ImageFormat& format);
+
+    /// Sample `sample` of `spp`; it goes through the closed cell (pixel.x, pixel.y) of the View.
+    Ray ray(Pixel pixel, int sample) const;
+    static Source source(Pixel pixel) { return Source::cell(pixel.x, pixel.y); }
+
+    const View& view() const { return view_; }
+    const ImageFormat& format() const { return format_; }
+
+private:
+    ImageFormat format_;
+    View view_;
+    dvec3 to_corner_, across_, down_;          ///< the view's, before they were rounded
+    int strata_across_ = 1, strata_down_ = 1;  ///< of a cell; their product is spp
+};
+
+}  // namespace rayshoot
