@@ -44,7 +44,7 @@ struct TriangleSums {
         v = dot(direction, q) * sign;
         t = dot(e2, q) * sign;
     }
-    bool outside() const { return u < 0 || v < 0 || u + v > det; }
+    bool inside() const { return u >= 0 && v >= 0 && u + v <= det; }  ///< false for NaN
 };
 
 template <class Accept>
@@ -54,7 +54,7 @@ template <class Accept>
     const dvec3 direction(ray.direction);
     const TriangleSums<double> sums(a, e1, e2, dvec3(ray.origin), direction);
     const double scale = taxicab(e1) * taxicab(e2) * taxicab(direction);
-    if (!(sums.det > double_parallel * scale) || sums.outside()) return;
+    if (!(sums.det > double_parallel * scale) || !sums.inside()) return;
     accept(static_cast<float>(sums.t / sums.det), static_cast<float>(sums.u / sums.det),
            static_cast<float>(sums.v / sums.det));
 }
@@ -68,7 +68,7 @@ inline void intersect(const Triangle& triangle, const TestRay& ray, Accept&& acc
     const bool trusted = sums.det > float_parallel * scale && sums.det > smallest_determinant &&
                          sums.det < largest_determinant;
     if (!trusted) [[unlikely]] return intersect_in_double(triangle, ray, accept);
-    if (sums.outside()) return;
+    if (!sums.inside()) return;
     accept(sums.t / sums.det, sums.u / sums.det, sums.v / sums.det);
 }
 
