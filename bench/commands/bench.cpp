@@ -1,0 +1,58 @@
+#include "bench/command_line.h"
+#include "bench/commands/arguments.h"
+#include "bench/commands/command.h"
+#include "bench/commands/plan_options.h"
+#include "bench/comparison/results.h"
+#include "bench/output/whole_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <ostream>
+
+/// `rayshoot bench`: the comparison of structures on recorded rays.
+namespace rayshoot {
+namespace {
+
+struct BenchArguments {
+    PlanOptions plan;
+    std::string out, results;
+    bool json = false;
+};
+
+int bench(const BenchArguments& arguments, const Invocation& invocation) {
+    if (!arguments.out.empty()) require_writable_file(arguments.out);
+    if (!arguments.results.empty()) require_results_root(arguments.results);
+    const ComparisonPlan plan = make_plan(invocation.catalogue, arguments.plan);
+    const Comparison comparison = compare(invocation.catalogue, plan);
+    const nlohmann::ordered_json document = to_document(plan, comparison);
+    if (!arguments.out.empty()) write_whole_file(arguments.out, document.dump(2) + "\n");
+    if (arguments.json) {
+        print_json(invocation.out, document);
+    } else {
+        invocation.out << to_text(comparison_table(document)) << notes(document);
+        const Table adaptor = adaptor_table(document);
+        if (!adaptor.rows.empty()) invocation.out << '\n' << to_text(adaptor);
+    }
+    if (!arguments.results.empty()) {
+        const std::string folder = write_results(arguments.results, document);
+        if (!arguments.json) invocation.out << "written to " << folder << '\n';
+    }
+    return comparison.failed() ? exit_differences : exit_ok;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Invocation& invocation) {
+    auto arguments = std::make_shared<BenchArguments>();
+    CLI::App* command = app.add_subcommand("bench", "Compare structures on recorded rays");
+    add_plan_options(*command, arguments->plan);
+    command->add_option("--out", arguments->out, "Write the raw results to this JSON file");
+    command->add_option("--results", arguments->results,
+                        "Write raw results and tables to a folder <date>-<processor> in this one");
+    command->add_flag("--json", arguments->json, "One JSON document on standard output");
+    command->callback([arguments, &invocation] {
+        invocation.chosen = [arguments, &invocation] { return bench(*arguments, invocation); };
+    });
+}
+
+}  // namespace rayshoot

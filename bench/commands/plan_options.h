@@ -1,0 +1,28 @@
+#pragma once
+
+#include "bench/comparison/plan.h"
+
+namespace CLI {
+class App;
+}
+
+/// The options that say what to measure, shared by `rayshoot bench` and the bench_* programs.
+namespace rayshoot {
+
+struct PlanOptions {
+    std::vector<std::string> scenes, structures, rows, ray_files;
+    std::vector<std::string> kinds{"camera", "shadow", "diffuse", "random"};
+    std::string size = "384x384";
+    int spp = 1, threads = 1, repetitions = 7;
+    std::size_t batch = default_batch;
+    std::uint64_t seed = 1;
+    bool warm = false, standard = false, adaptor_cost = false;
+};
+
+/// The options are written to `options`, which must live until the command line is parsed.
+void add_plan_options(CLI::App& command, PlanOptions& options);
+
+/// Throws std::invalid_argument for what makes no plan.
+ComparisonPlan make_plan(const Catalogue& catalogue, const PlanOptions& options);
+
+}  // namespace rayshoot

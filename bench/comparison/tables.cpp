@@ -1,0 +1,214 @@
+#include "bench/comparison/document.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace rayshoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* sampled_mark = "*";  // measured on a sample of the stream
+constexpr const char* failed_cell = "error";
+
+std::optional<double> number(const Json& value) {
+    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+}
+
+/// value[first][second]..., null where one is not there.
+Json at(const Json& value, std::initializer_list<const char*> path) {
+    const Json* found = &value;
+    for (const char* key : path) {
+        if (!found->is_object() || !found->contains(key)) return nullptr;
+        found = &(*found)[key];
+    }
+    return *found;
+}
+
+/// All rows of one structure on one scene.
+struct Group {
+    std::string scene, structure;
+    std::vector<const Json*> rows;
+
+    const Json* row(const std::string& kind) const {
+        for (const Json* row : rows) {
+            if ((*row)["kind"] == kind) return row;
+        }
+        return nullptr;
+    }
+    /// The mean over all rays of all kinds, where every kind has one.
+    std::optional<double> mean(const char* event) const {
+        double sum = 0, rays = 0;
+        for (const Json* row : rows) {
+            const auto value = number(at(*row, {"per_ray", event}));
+            const auto count = number(at(*row, {"rays"}));
+            if (count == 0.0) continue;
+            if (!value || !count) return std::nullopt;
+            sum += *value * *count;
+            rays += *count;
+        }
+        if (rays == 0) return std::nullopt;
+        return sum / rays;
+    }
+};
+
+std::vector<Group> groups_of(const Json& document) {
+    std::vector<Group> groups;
+    for (const Json& row : document["rows"]) {
+        if (row.value("warm", false)) continue;
+        const auto same = [&](const Group& group) {
+            return row["scene"] == group.scene && row["structure"] == group.structure;
+        };
+        auto group = std::ranges::find_if(groups, same);
+        if (group == groups.end()) {
+            groups.push_back({row["scene"], row["structure"], {}});
+            group = groups.end() - 1;
+        }
+        group->rows.push_back(&row);
+    }
+    return groups;
+}
+
+std::vector<std::string> kinds_of(const Json& document) {
+    std::vector<std::string> kinds;
+    for (const Json& row : document["rows"]) {
+        if (std::ranges::find(kinds, row["kind"].get<std::string>()) == kinds.end())
+            kinds.push_back(row["kind"]);
+    }
+    return kinds;
+}
+
+/// Marked where it was found on a sample of the stream.
+std::string marked(std::string cell, const Json& row) {
+    return row.value("sampled", false) && cell != not_measured ? cell + sampled_mark : cell;
+}
+
+std::string rate_cell(const Json* row, const char* what) {
+    if (!row) return not_measured;
+    if (at(*row, {"error"}).is_string()) return failed_cell;
+    return marked(number_cell(number(at(*row, {what, "median"})), 3), *row);
+}
+
+std::string mean_cell(const Json& row, const char* event) {
+    return marked(number_cell(number(at(row, {"per_ray", event}))), row);
+}
+
+std::optional<double> bytes_per_primitive(const Json& row) {
+    const auto bytes = number(at(row, {"bytes"}));
+    const auto primitives = number(at(row, {"primitives"}));
+    if (!bytes || !primitives || *primitives == 0) return std::nullopt;
+    return *bytes / *primitives;
+}
+
+std::optional<double> milliseconds(const Json& value) {
+    const auto seconds = number(value);
+    return seconds ? std::optional(1e3 * *seconds) : std::nullopt;
+}
+
+std::string interval_cell(const Json& row, const char* what) {
+    const auto low = number(at(row, {what, "low"})), high = number(at(row, {what, "high"}));
+    if (!low || !high) return not_measured;
+    return number_cell(low, 3) + " to " + number_cell(high, 3);
+}
+
+std::vector<std::string> detail_cells(const Json& row) {
+    return {row["name"],
+            number_cell(number(at(row, {"rays"})), 9),
+            mean_cell(row, "object_tests"),
+            mean_cell(row, "bounding_volume_tests"),
+            mean_cell(row, "steps"),
+            rate_cell(&row, "mrays_per_second"),
+            interval_cell(row, "mrays_per_second"),
+            rate_cell(&row, "ratio_to_embree"),
+            interval_cell(row, "ratio_to_embree")};
+}
+
+}  // namespace
+
+void require_comparison(const Json& document) {
+    const auto missing = [](const std::string& what) {
+        throw std::invalid_argument("no comparison as `rayshoot bench --out` writes it: " + what);
+    };
+    if (!document.is_object()) missing("it is no JSON object");
+    if (document.value("schema", 0) != schema_version) missing("\"schema\" is not 1");
+    if (!document.contains("rows") || !document["rows"].is_array()) missing("\"rows\" is missing");
+    for (const Json& row : document["rows"]) {
+        for (const char* key : {"name", "scene", "structure", "kind"}) {
+            if (!at(row, {key}).is_string()) missing("a row without \"" + std::string(key) + "\"");
+        }
+    }
+}
+
+Table comparison_table(const Json& document) {
+    require_comparison(document);
+    const std::vector<std::string> kinds = kinds_of(document);
+    Table table{{"scene", "structure", "build ms", "bytes/primitive", "object tests/ray",
+                 "volume tests/ray", "steps/ray"},
+                {}};
+    for (const std::string& kind : kinds) table.headings.push_back(kind + " Mrays/s");
+    for (const std::string& kind : kinds) table.headings.push_back(kind + " / Embree");
+    for (const Group& group : groups_of(document)) {
+        const Json& first = *group.rows.front();
+        std::vector<std::string> cells{
+            group.scene,
+            group.structure,
+            number_cell(milliseconds(at(first, {"build_seconds"})), 3),
+            number_cell(bytes_per_primitive(first), 3),
+            marked(number_cell(group.mean("object_tests")), first),
+            marked(number_cell(group.mean("bounding_volume_tests")), first),
+            marked(number_cell(group.mean("steps")), first)};
+        for (const std::string& kind : kinds)
+            cells.push_back(rate_cell(group.row(kind), "mrays_per_second"));
+        for (const std::string& kind : kinds)
+            cells.push_back(rate_cell(group.row(kind), "ratio_to_embree"));
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+Table detail_table(const Json& document) {
+    require_comparison(document);
+    Table table{{"row", "rays", "object tests/ray", "volume tests/ray", "steps/ray", "Mrays/s",
+                 "95 % interval", "/ Embree", "95 % interval"},
+                {}};
+    for (const Json& row : document["rows"]) table.rows.push_back(detail_cells(row));
+    return table;
+}
+
+Table adaptor_table(const Json& document) {
+    require_comparison(document);
+    Table table{{"scene", "rays", "path", "question", "direct Mrays/s", "adaptor Mrays/s",
+                 "adaptor / direct", "95 % interval"},
+                {}};
+    for (const Json& row : at(document, {"embree_adaptor"})) {
+        table.rows.push_back({row["scene"], row["kind"], row["path"], row["question"],
+                              number_cell(number(at(row, {"direct_mrays_per_second"})), 3),
+                              number_cell(number(at(row, {"adaptor_mrays_per_second"})), 3),
+                              number_cell(number(at(row, {"adaptor_to_direct", "median"})), 3),
+                              interval_cell(row, "adaptor_to_direct")});
+    }
+    return table;
+}
+
+std::string notes(const Json& document) {
+    require_comparison(document);
+    std::string text;
+    bool sampled = false;
+    std::map<std::string, std::string> refusals;
+    for (const Json& row : document["rows"]) {
+        const std::string name = row["name"];
+        sampled = sampled || row.value("sampled", false);
+        if (at(row, {"error"}).is_string())
+            text += "error: " + name + ": " + row["error"].get<std::string>() + "\n";
+        const std::string refused =
+            row["scene"].get<std::string>() + ", " + row["structure"].get<std::string>();
+        if (at(row, {"refusal"}).is_string()) refusals[refused] = row["refusal"];
+    }
+    for (const auto& [name, reason] : refusals) text += "n/a: " + name + ": " + reason + "\n";
+    if (sampled) text += std::string(sampled_mark) + " measured on a sample of the rays\n";
+    return text;
+}
+
+}  // namespace rayshoot

@@ -1,0 +1,17 @@
+# Makes the HTML page of the newest results; says what is missing where Python's packages are not there.
+file(GLOB folders LIST_DIRECTORIES true "${RESULTS}/*/raw.json")
+if(NOT folders)
+    message(FATAL_ERROR "no results in ${RESULTS}")
+endif()
+if(NOT EXISTS "${PYTHON}")
+    message(STATUS "no HTML page: ${PYTHON} is missing; ./setup.sh makes it")
+    return()
+endif()
+set(newest "")
+foreach(raw IN LISTS folders)
+    if(newest STREQUAL "" OR "${raw}" IS_NEWER_THAN "${newest}")
+        set(newest "${raw}")
+    endif()
+endforeach()
+execute_process(COMMAND "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/page.py" "${newest}"
+    COMMAND_ERROR_IS_FATAL ANY)

@@ -1,0 +1,223 @@
+#include "tests/bench/command.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+
+namespace rayshoot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void expect_keys(const Json& object, const std::vector<std::string>& keys) {
+    ASSERT_TRUE(object.is_object());
+    for (const std::string& key : keys) EXPECT_TRUE(object.contains(key)) << key;
+}
+
+const std::vector<std::string> counter_keys{
+    "rays",  "hits",        "object_tests",  "object_hits", "bounding_volume_tests", "steps",
+    "cells", "empty_cells", "mailbox_skips", "cache_hits",  "candidate_sets",        "declined"};
+
+TEST(List, is_one_document_with_every_structure_and_scene) {
+    const Call listed = call({"list", "--json"});
+    ASSERT_EQ(listed.code, 0) << listed.err;
+    const Json document = listed.json();
+    EXPECT_EQ(document["schema"], 1);
+    std::set<std::string> names;
+    for (const Json& structure : document["structures"]) {
+        expect_keys(structure, {"name", "agreement", "serves", "options", "configurations"});
+        names.insert(structure["name"]);
+    }
+    EXPECT_TRUE(names.contains("brute_force") && names.contains("bvh"));
+    for (const Json& scene : document["scenes"]) expect_keys(scene, {"name", "available"});
+    EXPECT_GT(document["scenes"].size(), 10u);
+}
+
+TEST(List, text_names_structures_and_scenes) {
+    const Call listed = call({"list"});
+    EXPECT_EQ(listed.code, 0);
+    EXPECT_NE(listed.out.find("brute_force"), std::string::npos);
+    EXPECT_NE(listed.out.find("spd/balls"), std::string::npos);
+}
+
+TEST(Count, has_the_documented_keys) {
+    const Call counted = call({"count", "--scene", "spd/tetra:size=2", "--structure", "bvh",
+                               "--size", "16x16", "--json"});
+    ASSERT_EQ(counted.code, 0) << counted.err;
+    const Json document = counted.json();
+    expect_keys(document, {"schema", "scene", "structure", "primitives", "rays", "footprint",
+                           "members", "build_seconds", "seconds"});
+    for (const char* kind : {"camera", "shadow", "secondary"})
+        expect_keys(document["rays"][kind], counter_keys);
+    expect_keys(document["footprint"],
+                {"interior", "leaves", "empty_leaves", "references", "depth", "bytes"});
+    EXPECT_EQ(document["rays"]["camera"]["rays"], 256);
+    EXPECT_GT(document["rays"]["camera"]["hits"], 0);
+    EXPECT_EQ(document["primitives"], 16);
+}
+
+TEST(Count, of_brute_force_is_rays_times_primitives) {
+    const Json document = call({"count", "--scene", "spd/tetra:size=2", "--structure",
+                                "brute_force", "--size", "16x16", "--json"})
+                              .json();
+    EXPECT_EQ(document["rays"]["camera"]["object_tests"], 256 * 16);
+}
+
+TEST(Count, default_size_is_that_of_the_published_tables) {
+    const Json document =
+        call({"count", "--scene", "spd/jacks", "--structure", "bvh", "--json"}).json();
+    EXPECT_EQ(document["rays"]["camera"]["rays"], 513 * 513);
+    EXPECT_EQ(document["rules"], "spd-readme");
+}
+
+TEST(Check, finds_no_difference_in_the_bvh) {
+    const Call checked = call({"check", "--scene", "soup:count=100", "--structure", "bvh", "--rays",
+                               "1200", "--seed", "7", "--json"});
+    EXPECT_EQ(checked.code, 0) << checked.err;
+    const Json document = checked.json();
+    expect_keys(document, {"rays", "declined", "differences", "first_difference"});
+    EXPECT_EQ(document["rays"], 1200);
+    EXPECT_EQ(document["differences"], 0);
+    EXPECT_TRUE(document["first_difference"].is_null());
+}
+
+TEST(Check, of_a_wrong_structure_exits_with_1_and_shows_the_ray) {
+    const Call checked = call(
+        {"check", "--scene", "soup:count=100", "--structure", "blind", "--rays", "6000", "--json"});
+    EXPECT_EQ(checked.code, 1);
+    const Json document = checked.json();
+    EXPECT_GT(document["differences"], 0);
+    expect_keys(document["first_difference"], {"ray", "question", "expected", "found", "asked"});
+}
+
+TEST(Render, prints_the_hash_of_the_floats) {
+    const auto folder = fresh_folder("render");
+    const std::vector<std::string> arguments{
+        "render", "--scene", "spd/tetra:size=2",          "--structure", "bvh", "--size",
+        "16x16",  "--out",   (folder / "a.png").string(), "--threads",   "1",   "--json"};
+    const Call first = call(arguments);
+    ASSERT_EQ(first.code, 0) << first.err;
+    expect_keys(first.json(), {"schema", "sha256", "seconds"});
+    EXPECT_EQ(first.json()["sha256"].get<std::string>().size(), 64u);
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.png"));
+    std::vector<std::string> two_threads = arguments;
+    two_threads[10] = "2";
+    EXPECT_EQ(call(two_threads).json()["sha256"], first.json()["sha256"]);
+}
+
+TEST(Rays, a_recorded_file_counts_like_the_image_it_came_from) {
+    const std::string file = (fresh_folder("rays") / "camera.rays").string();
+    const Call recorded = call({"rays", "--scene", "spd/tetra:size=2", "--kind", "camera", "--size",
+                                "16x16", "--spp", "2", "--out", file, "--json"});
+    ASSERT_EQ(recorded.code, 0) << recorded.err;
+    EXPECT_EQ(recorded.json()["rays"], 512);
+    const Call counted = call({"count", "--scene", "spd/tetra:size=2", "--structure", "brute_force",
+                               "--rays-file", file, "--json"});
+    ASSERT_EQ(counted.code, 0) << counted.err;
+    EXPECT_EQ(counted.json()["rays"]["camera"]["object_tests"], 512 * 16);
+    const Call checked = call({"check", "--scene", "spd/tetra:size=2", "--structure", "bvh",
+                               "--rays-file", file, "--json"});
+    ASSERT_EQ(checked.code, 0) << checked.err;
+    EXPECT_EQ(checked.json()["rays"], 512);
+}
+
+Call small_bench(std::vector<std::string> more) {
+    std::vector<std::string> arguments{
+        "bench", "--scene", "spd/tetra:size=2", "--size", "24x24", "--repetitions", "2", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return call(arguments);
+}
+
+TEST(Bench, has_the_documented_keys) {
+    const Call measured = small_bench(
+        {"--structure", "brute_force", "bvh", "--rays", "camera,shadow,diffuse,random"});
+    ASSERT_EQ(measured.code, 0) << measured.err;
+    const Json document = measured.json();
+    EXPECT_EQ(document["schema"], 1);
+    ASSERT_EQ(document["rows"].size(), 8u);
+    for (const Json& row : document["rows"]) {
+        expect_keys(row, {"scene", "structure", "kind", "threads", "build_seconds", "bytes",
+                          "mrays_per_second", "ratio_to_embree"});
+        expect_keys(row["mrays_per_second"], {"median", "low", "high"});
+        EXPECT_GT(row["mrays_per_second"]["median"], 0) << row["name"];
+        EXPECT_TRUE(row["ratio_to_embree"]["median"].is_null());  // no Embree in this run
+        EXPECT_TRUE(row["gate"]["passed"]);
+        EXPECT_EQ(row["seconds_samples"].size(), 2u);
+    }
+    EXPECT_EQ(measured.out.find('/' + std::string("tmp")), std::string::npos) << "no paths";
+}
+
+TEST(Bench, a_wrong_structure_is_an_error_row_and_never_timed) {
+    const Call measured = small_bench({"--structure", "bvh", "wrong", "off", "--rays", "camera"});
+    EXPECT_EQ(measured.code, 1);
+    const Json document = measured.json();
+    ASSERT_EQ(document["rows"].size(), 3u);
+    for (const Json& row : document["rows"]) {
+        if (row["structure"] == "bvh") continue;
+        EXPECT_TRUE(row["error"].is_string()) << row["name"];
+        EXPECT_TRUE(row["mrays_per_second"]["median"].is_null());
+        EXPECT_TRUE(row["seconds_samples"].empty());
+    }
+}
+
+TEST(Bench, row_runs_exactly_the_rows_it_names) {
+    const std::string name = "rays/spd/tetra:size=2/bvh:leaf=1/shadow";
+    const Call measured = call({"bench", "--row", name, "--row", "warm/spd/tetra:size=2/bvh/camera",
+                                "--size", "24x24", "--repetitions", "1", "--json"});
+    ASSERT_EQ(measured.code, 0) << measured.err;
+    std::set<std::string> names;
+    const Json document = measured.json();
+    for (const Json& row : document["rows"]) names.insert(row["name"]);
+    EXPECT_EQ(names, (std::set<std::string>{name, "warm/spd/tetra:size=2/bvh/camera"}));
+}
+
+TEST(Bench, counts_are_the_same_for_one_thread_and_two) {
+    const Call one = small_bench({"--structure", "bvh", "--threads", "1"});
+    const Call two = small_bench({"--structure", "bvh", "--threads", "2"});
+    ASSERT_EQ(one.code, 0) << one.err;
+    ASSERT_EQ(two.code, 0) << two.err;
+    const Json a = one.json(), b = two.json();
+    ASSERT_EQ(a["rows"].size(), b["rows"].size());
+    for (std::size_t i = 0; i < a["rows"].size(); ++i) {
+        EXPECT_EQ(a["rows"][i]["per_ray"], b["rows"][i]["per_ray"]);
+        EXPECT_EQ(a["rows"][i]["gate"], b["rows"][i]["gate"]);
+    }
+}
+
+TEST(Report, makes_the_same_tables_again_from_raw_results) {
+    const auto folder = fresh_folder("report");
+    const std::string raw = (folder / "raw.json").string();
+    ASSERT_EQ(small_bench({"--structure", "bvh", "--out", raw}).code, 0);
+    const auto tables = folder / "tables";
+    const Call reported = call({"report", raw, "--out", tables.string()});
+    ASSERT_EQ(reported.code, 0) << reported.err;
+    EXPECT_NE(reported.out.find("spd/tetra:size=2"), std::string::npos);
+    for (const char* name : {"README.md", "comparison.md", "comparison.csv", "rows.csv"})
+        EXPECT_TRUE(std::filesystem::exists(tables / name)) << name;
+}
+
+TEST(SeedQuestion, extrapolates_brute_force_and_says_so) {
+    const Call asked =
+        call({"seed-question", "--scene", "soup:count=2000", "--structure", "brute_force", "bvh",
+              "--size", "150x150", "--repetitions", "1", "--json"});
+    ASSERT_EQ(asked.code, 0) << asked.err;
+    const Json rows = asked.json()["rows"];
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0]["object_tests"], 2000.0 * 150 * 150);
+    EXPECT_TRUE(rows[0]["extrapolated"]);
+    EXPECT_LT(rows[0]["measured_rays"], rows[0]["rays"]);
+    EXPECT_FALSE(rows[1]["extrapolated"]);
+    EXPECT_LT(rows[1]["object_tests"], rows[0]["object_tests"]);
+}
+
+TEST(Version, and_help_go_to_standard_output_with_exit_0) {
+    for (const char* option : {"--version", "--help"}) {
+        const Call asked = call({option});
+        EXPECT_EQ(asked.code, 0) << option;
+        EXPECT_FALSE(asked.out.empty()) << option;
+    }
+}
+
+}  // namespace
+}  // namespace rayshoot
