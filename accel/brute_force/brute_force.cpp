@@ -12,8 +12,12 @@ BruteForce::BruteForce(const BuildInput& input, const Options&)
 }
 
 Footprint BruteForce::footprint() const {
-    return {.interior = 0, .leaves = 1, .empty_leaves = leaves_.size() == 0, .references = leaves_.size(),
-            .depth = 0, .bytes = leaves_.bytes()};
+    return {.interior = 0,
+            .leaves = 1,
+            .empty_leaves = leaves_.size() == 0,
+            .references = leaves_.size(),
+            .depth = 0,
+            .bytes = leaves_.bytes()};
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

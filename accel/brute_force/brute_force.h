@@ -9,7 +9,8 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 class BruteForce {
 public:
     static constexpr std::string_view name = "brute_force";
-    static constexpr std::string_view summary = "every ray against every object, in order; the oracle";
+    static constexpr std::string_view summary =
+        "every ray against every object, in order; the oracle";
     static constexpr bool complete = true, remembers = false;
     static constexpr std::array<OptionInfo, 0> options{};
     static constexpr std::array<std::string_view, 1> configurations{"brute_force"};

@@ -36,7 +36,9 @@ struct Binning {
 class Builder {
 public:
     Builder(std::span<const Box> boxes, const BinnedSah& settings)
-        : boxes_(boxes), settings_(settings), bins_(static_cast<std::size_t>(settings.bins)),
+        : boxes_(boxes),
+          settings_(settings),
+          bins_(static_cast<std::size_t>(settings.bins)),
           right_cost_(bins_.size()) {
         tree_.order.resize(boxes.size());
         std::iota(tree_.order.begin(), tree_.order.end(), 0u);
@@ -135,7 +137,8 @@ private:
         for (std::size_t i = 1; i < bins_.size(); ++i) {
             absorb(side, bins_[i - 1]);
             const float both = cost(side) + right_cost_[i];
-            const float total = settings_.step_cost + settings_.test_cost * (area > 0 ? both / area : both);
+            const float total =
+                settings_.step_cost + settings_.test_cost * (area > 0 ? both / area : both);
             if (side.count > 0 && std::isfinite(right_cost_[i]) && right_cost_[i] >= 0 &&
                 total < best.cost)
                 best = {axis, static_cast<int>(i), total};

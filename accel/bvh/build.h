@@ -12,7 +12,8 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 struct BinaryTree {
     struct Node {
         Box bounds;
-        std::uint32_t first = 0;  ///< leaf: place in `order`; interior: the left child, then the right
+        std::uint32_t first =
+            0;  ///< leaf: place in `order`; interior: the left child, then the right
         std::uint32_t count = 0;  ///< primitives of a leaf; 0: interior
     };
     std::vector<Node> nodes;           ///< node 0 is the root; none for no boxes

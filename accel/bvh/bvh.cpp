@@ -77,11 +77,11 @@ std::vector<LeafRange> leaf_ranges(const BinaryTree& tree) {
 }  // namespace
 
 Bvh::Bvh(const BuildInput& input, const Options& chosen) {
-    const BinaryTree tree = build_binned_sah(
-        boxes(input.geometry),
-        {.bins = chosen.integer("bins", 2, 256),
-         .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 64)),
-         .deepest = deepest});
+    const BinaryTree tree =
+        build_binned_sah(boxes(input.geometry),
+                         {.bins = chosen.integer("bins", 2, 256),
+                          .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 64)),
+                          .deepest = deepest});
     const std::vector<LeafRange> ranges = leaf_ranges(tree);
     nodes_ = Layout(tree).nodes();
     leaves_ = Leaves(input.geometry, tree.order, ranges);

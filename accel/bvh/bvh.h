@@ -26,7 +26,8 @@ public:
     bool one(const Ray& ray, Source, Hit& hit, Scratch&, C& count) const;
     Footprint footprint() const { return footprint_; }
 
-    /// An interior node (count 0: `first` is a node), a leaf (slots first .. first + count), or absent.
+    /// An interior node (count 0: `first` is a node), a leaf (slots first .. first + count), or
+    /// absent.
     struct Child {
         std::uint32_t first, count;
         bool interior() const { return count == 0; }

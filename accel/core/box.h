@@ -80,7 +80,8 @@ struct SlabRay {
     std::array<std::size_t, 3> far;   ///< ... and of the far one
 
     explicit SlabRay(const vec3& o, const vec3& d)
-        : origin(o), inverse(1.0f / d.x, 1.0f / d.y, 1.0f / d.z),
+        : origin(o),
+          inverse(1.0f / d.x, 1.0f / d.y, 1.0f / d.z),
           descending{std::signbit(d.x), std::signbit(d.y), std::signbit(d.z)} {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             near[axis] = axis + (descending[axis] ? 3 : 0);
@@ -104,7 +105,8 @@ inline Interval clip(const SlabRay& ray, const Box& box, Interval within = {}) {
     return within;
 }
 
-/// Several boxes side by side, plane by plane (lo.x, lo.y, lo.z, hi.x, hi.y, hi.z): the layout of nodes.
+/// Several boxes side by side, plane by plane (lo.x, lo.y, lo.z, hi.x, hi.y, hi.z): the layout of
+/// nodes.
 template <std::size_t Width>
 struct Boxes {
     std::array<std::array<float, Width>, 6> planes;
@@ -129,7 +131,8 @@ struct Intervals {
 
 /// clip() of every box at once: the same form, so the same intervals.
 template <std::size_t Width>
-inline Intervals<Width> clip(const SlabRay& ray, const Boxes<Width>& boxes, const Interval& within) {
+inline Intervals<Width> clip(const SlabRay& ray, const Boxes<Width>& boxes,
+                             const Interval& within) {
     Intervals<Width> result;
     result.entry.fill(within.entry);
     result.exit.fill(within.exit);

@@ -45,13 +45,13 @@ void require_composable(std::string_view spec, const std::vector<const Structure
     for (const StructureEntry* member : members) {
         const bool last = member == members.back();
         if (last && !member->complete)
-            throw std::invalid_argument("structure '" + std::string(spec) + "': " +
-                                        std::string(member->name) +
-                                        " answers only some rays; compose it with a complete one, as " +
-                                        std::string(spec) + "+bvh");
+            throw std::invalid_argument(
+                "structure '" + std::string(spec) + "': " + std::string(member->name) +
+                " answers only some rays; compose it with a complete one, as " + std::string(spec) +
+                "+bvh");
         if (!last && member->complete)
-            throw std::invalid_argument("structure '" + std::string(spec) + "': " +
-                                        std::string(member->name) +
+            throw std::invalid_argument("structure '" + std::string(spec) +
+                                        "': " + std::string(member->name) +
                                         " answers every ray, so nothing can follow it");
     }
 }
@@ -79,7 +79,8 @@ std::unique_ptr<Accel> build(const Catalogue& catalogue, std::string_view spec,
     std::vector<std::unique_ptr<Accel>> accels;
     for (std::size_t i = 0; i < members.size(); ++i) {
         if (const std::string reason = members[i]->refuses(input.geometry); !reason.empty())
-            throw std::invalid_argument("structure " + std::string(members[i]->name) + ": " + reason);
+            throw std::invalid_argument("structure " + std::string(members[i]->name) + ": " +
+                                        reason);
         const Options options(texts[i].name, members[i]->options, texts[i].options);
         accels.push_back(members[i]->build(input, options, options.canonical()));
     }
@@ -88,9 +89,9 @@ std::unique_ptr<Accel> build(const Catalogue& catalogue, std::string_view spec,
 
 Agreement agreement(const Catalogue& catalogue, std::string_view spec) {
     const auto members = entries(catalogue, spec);
-    const bool exact = std::all_of(members.begin(), members.end(), [](const StructureEntry* member) {
-        return member->agreement == Agreement::exact;
-    });
+    const bool exact = std::all_of(
+        members.begin(), members.end(),
+        [](const StructureEntry* member) { return member->agreement == Agreement::exact; });
     return exact ? Agreement::exact : Agreement::tolerance;
 }
 

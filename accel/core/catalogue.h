@@ -34,7 +34,8 @@ struct StructureEntry {
     std::span<const std::string_view> configurations;  ///< specs that the contract kit runs
     std::string_view summary;                          ///< one line for `rayshoot list`
     std::unique_ptr<Accel> (*build)(const BuildInput&, const Options&, std::string spec);
-    /// Why this structure cannot take a scene ("" when it can): the CGAL yardstick and spheres, say.
+    /// Why this structure cannot take a scene ("" when it can): the CGAL yardstick and spheres,
+    /// say.
     std::string (*refuses)(const Geometry&);
 };
 

@@ -17,8 +17,9 @@ enum class PrimitiveKind : std::uint8_t { triangle, sphere, frustum, polygon };
 inline constexpr int primitive_kinds = 4;
 
 /// A property of the geometry, so every structure of a run shares it.
-/// standard (`precision=default`): float Moeller-Trumbore. watertight: Woop et al. 2013, with bounds
-/// padded so that no ray that starts within four scene diagonals slips between adjacent triangles.
+/// standard (`precision=default`): float Moeller-Trumbore. watertight: Woop et al. 2013, with
+/// bounds padded so that no ray that starts within four scene diagonals slips between adjacent
+/// triangles.
 enum class Precision : std::uint8_t { standard, watertight };
 
 inline constexpr std::uint32_t no_motion = 0;
@@ -48,8 +49,8 @@ public:
     const Box& bounds(std::uint32_t primitive) const { return bounds_[primitive]; }
     const Box& bounds() const { return scene_bounds_; }
 
-    /// Bounds of the part of a primitive inside `box`, grown by `radius` (see error_radius) and never
-    /// larger than its own bounds; empty when no part is inside. Movers: their whole bounds.
+    /// Bounds of the part of a primitive inside `box`, grown by `radius` (see error_radius) and
+    /// never larger than its own bounds; empty when no part is inside. Movers: their whole bounds.
     Box clipped_bounds(std::uint32_t primitive, const Box& box, float radius) const;
     /// False only when no point of the primitive, grown by `radius`, is in the closed box.
     bool overlaps(std::uint32_t primitive, const Box& box, float radius) const;
@@ -105,7 +106,8 @@ class GeometryBuilder {
 public:
     std::uint32_t add_vertex(const vec3& position);
     std::uint32_t add_vertex(const vec3& position, const vec3& normal);
-    std::uint32_t add_triangle(std::array<std::uint32_t, 3> vertices, std::uint32_t motion = no_motion);
+    std::uint32_t add_triangle(std::array<std::uint32_t, 3> vertices,
+                               std::uint32_t motion = no_motion);
     /// The same with three new vertices.
     std::uint32_t add_triangle(const vec3& a, const vec3& b, const vec3& c,
                                std::uint32_t motion = no_motion);

@@ -20,9 +20,11 @@ struct Footprint {
     std::optional<std::uint64_t> interior = std::nullopt;      ///< [N_IN] interior nodes
     std::optional<std::uint64_t> leaves = std::nullopt;        ///< [N_V] leaves or elementary cells
     std::optional<std::uint64_t> empty_leaves = std::nullopt;  ///< [N_EV]
-    std::optional<std::uint64_t> references = std::nullopt;    ///< [N_OIV] primitive references in leaves
-    std::optional<std::uint64_t> depth = std::nullopt;         ///< of the deepest leaf; the root's is 0
-    std::optional<std::uint64_t> bytes = std::nullopt;         ///< the structure without the geometry it refers to
+    std::optional<std::uint64_t> references =
+        std::nullopt;                                   ///< [N_OIV] primitive references in leaves
+    std::optional<std::uint64_t> depth = std::nullopt;  ///< of the deepest leaf; the root's is 0
+    std::optional<std::uint64_t> bytes =
+        std::nullopt;  ///< the structure without the geometry it refers to
 };
 
 /// Scratch, caches, lazily built parts, counters. Not re-entrant: one lane at a time.
@@ -37,8 +39,9 @@ public:
     virtual std::span<const std::uint32_t> occluded(const RayBatch& batch,
                                                     std::span<std::uint8_t> occluded) = 0;
 
-    /// What this session counted for rays of a kind; null when timing, or where the structure cannot
-    /// count. For a composition: the sums over its members, `declined` being what none answered.
+    /// What this session counted for rays of a kind; null when timing, or where the structure
+    /// cannot count. For a composition: the sums over its members, `declined` being what none
+    /// answered.
     virtual const Counters* counters(RayKind kind) const = 0;
     /// The sessions of a composition's members, in order; empty for a lone structure.
     virtual std::span<const std::unique_ptr<Session>> members() const { return {}; }
@@ -46,7 +49,8 @@ public:
     virtual std::size_t bytes() const { return 0; }
 };
 
-/// Must outlive its sessions, as the geometry, lights and hierarchy it was built from must outlive it.
+/// Must outlive its sessions, as the geometry, lights and hierarchy it was built from must outlive
+/// it.
 class Accel {
 public:
     virtual ~Accel() = default;

@@ -22,7 +22,8 @@ Leaves::Leaves(const Geometry& geometry, std::span<const std::uint32_t> order,
 
 Leaves::Slot Leaves::pack(std::uint32_t primitive) const {
     const PrimitiveRef& ref = geometry_->ref(primitive);
-    Slot slot{{vec3(0), vec3(0), vec3(0)}, primitive,
+    Slot slot{{vec3(0), vec3(0), vec3(0)},
+              primitive,
               ref.motion * primitive_kinds + static_cast<std::uint32_t>(ref.kind)};
     if (ref.kind == PrimitiveKind::triangle) slot.triangle = geometry_->triangle(ref.index);
     if (ref.kind == PrimitiveKind::sphere) {

@@ -9,8 +9,8 @@
 /// hits clamped and compared, and object tests counted.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// Where the search for a ray's hit starts: one lexicographic compare (t, then primitive) against it
-/// covers the interval's end too.
+/// Where the search for a ray's hit starts: one lexicographic compare (t, then primitive) against
+/// it covers the interval's end too.
 inline Hit nothing_yet(const Ray& ray) { return {float_below(ray.t_max), no_primitive, 0, 0}; }
 
 /// Slots of one leaf, in a Leaves.
@@ -24,7 +24,8 @@ struct LeafRange {
 class Leaves {
 public:
     Leaves() = default;
-    /// `order`: primitive numbers (repetitions allowed), `leaves`: ranges of it. Refers to `geometry`.
+    /// `order`: primitive numbers (repetitions allowed), `leaves`: ranges of it. Refers to
+    /// `geometry`.
     Leaves(const Geometry& geometry, std::span<const std::uint32_t> order,
            std::span<const LeafRange> leaves);
 
@@ -69,8 +70,8 @@ void test_primitive(const Geometry& geometry, std::uint32_t primitive, const Ray
         .test<Q>(all, TestRay(ray), hit, count);
 }
 
-/// The definition of a hit (README, rules 1 and 4): clamped to its primitive's bounds, then compared.
-/// Returns whether the primitive was hit at all.
+/// The definition of a hit (README, rules 1 and 4): clamped to its primitive's bounds, then
+/// compared. Returns whether the primitive was hit at all.
 inline bool offer(float t, float u, float v, std::uint32_t primitive, const Box& bounds,
                   const TestRay& world, Hit& hit) {
     const Interval interval = clip(world, bounds);
@@ -81,7 +82,8 @@ inline bool offer(float t, float u, float v, std::uint32_t primitive, const Box&
     return true;
 }
 
-/// Of a triangle that stands still: from the slot itself, which is at hand, not from memory far away.
+/// Of a triangle that stands still: from the slot itself, which is at hand, not from memory far
+/// away.
 inline Box Leaves::bounds_of(const Slot& slot) const {
     if (slot.tag == static_cast<std::uint32_t>(PrimitiveKind::triangle))
         return padded(bounds(slot.triangle), geometry_->padding());

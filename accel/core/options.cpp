@@ -27,10 +27,13 @@ Options::Options(std::string_view structure, std::span<const OptionInfo> known,
         text.remove_prefix(last ? pair.size() : pair.size() + 1);
         const std::size_t equals = pair.find('=');
         const std::string key(pair.substr(0, equals));
-        const std::string complaint = "structure " + structure_ + ": option '" + std::string(pair) + "' ";
-        if (equals == std::string_view::npos || equals + 1 == pair.size() || (!last && text.empty()))
+        const std::string complaint =
+            "structure " + structure_ + ": option '" + std::string(pair) + "' ";
+        if (equals == std::string_view::npos || equals + 1 == pair.size() ||
+            (!last && text.empty()))
             throw std::invalid_argument(complaint + "is not key=value");
-        if (std::none_of(known.begin(), known.end(), [&](const OptionInfo& o) { return o.name == key; }))
+        if (std::none_of(known.begin(), known.end(),
+                         [&](const OptionInfo& o) { return o.name == key; }))
             throw std::invalid_argument(complaint + "is unknown; " + listed(known));
         for (const auto& [earlier, value] : given_)
             if (earlier == key) throw std::invalid_argument(complaint + "is given twice");
@@ -63,8 +66,8 @@ int Options::integer(std::string_view key, int lowest, int highest) const {
     const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), value);
     if (error != std::errc() || end != given.data() + given.size() || value < lowest ||
         value > highest)
-        refuse(key, "a whole number from " + std::to_string(lowest) + " to " +
-                        std::to_string(highest));
+        refuse(key,
+               "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest));
     return value;
 }
 

@@ -14,11 +14,13 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 class Options {
 public:
     /// `text`: what follows the name and its colon ("density=3,mailbox=on"), may be empty.
-    /// Throws std::invalid_argument, listing what exists, for an unknown or repeated key, or no '='.
+    /// Throws std::invalid_argument, listing what exists, for an unknown or repeated key, or no
+    /// '='.
     Options(std::string_view structure, std::span<const OptionInfo> known, std::string_view text);
 
-    /// The value given, or the declared fallback. Each throws std::invalid_argument with the key, the
-    /// value and what would be accepted. Asking for a key that is not declared is a logic_error.
+    /// The value given, or the declared fallback. Each throws std::invalid_argument with the key,
+    /// the value and what would be accepted. Asking for a key that is not declared is a
+    /// logic_error.
     double number(std::string_view key, double lowest, double highest) const;
     int integer(std::string_view key, int lowest, int highest) const;
     bool flag(std::string_view key) const;  ///< on|off

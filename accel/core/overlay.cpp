@@ -43,9 +43,9 @@ public:
         return answer<Query::occluded>(batch, occluded);
     }
     const Counters* counters(RayKind kind) const override {
-        const bool all_count = std::all_of(members_.begin(), members_.end(), [&](const auto& member) {
-            return member->counters(kind) != nullptr;
-        });
+        const bool all_count =
+            std::all_of(members_.begin(), members_.end(),
+                        [&](const auto& member) { return member->counters(kind) != nullptr; });
         return all_count ? &sums_[static_cast<std::size_t>(kind)] : nullptr;
     }
     std::span<const std::unique_ptr<Session>> members() const override { return members_; }
@@ -56,8 +56,8 @@ public:
     }
 
 private:
-    /// Members past the front see only what is left: the whole batch untouched as long as nothing was
-    /// answered, gathered rays after that.
+    /// Members past the front see only what is left: the whole batch untouched as long as nothing
+    /// was answered, gathered rays after that.
     template <Query Q, class Answer>
     std::span<const std::uint32_t> answer(const RayBatch& batch, std::span<Answer> answers) {
         std::size_t member = 0;

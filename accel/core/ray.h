@@ -11,7 +11,8 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// A hit counts iff t_min < t < t_max; t is in units of |direction|, which may have any length but 0.
+/// A hit counts iff t_min < t < t_max; t is in units of |direction|, which may have any length but
+/// 0.
 struct Ray {
     vec3 origin{0};
     float t_min = 0;  ///< may be -infinity
@@ -58,12 +59,13 @@ inline constexpr std::size_t default_batch = 1024;  ///< rays; 256 to 4096 measu
 
 struct RayBatch {
     RayKind kind = RayKind::secondary;
-    std::uint8_t depth = 1;         ///< level in the ray tree; 1 is the camera's
-    std::span<const Ray> rays;      ///< at most max_batch
+    std::uint8_t depth = 1;          ///< level in the ray tree; 1 is the camera's
+    std::span<const Ray> rays;       ///< at most max_batch
     std::span<const Source> source;  ///< empty, or one per ray
 };
 
-/// NaN anywhere, an infinite origin or direction, a zero direction or t_min >= t_max: no hit, no test.
+/// NaN anywhere, an infinite origin or direction, a zero direction or t_min >= t_max: no hit, no
+/// test.
 inline bool answerable(const Ray& ray) {
     return finite(ray.origin) && finite(ray.direction) &&
            (ray.direction.x != 0 || ray.direction.y != 0 || ray.direction.z != 0) &&

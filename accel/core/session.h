@@ -112,7 +112,8 @@ private:
         const bool plain = std::all_of(batch.rays.begin(), batch.rays.end(), [](const Ray& ray) {
             return answerable(ray) && ray.time == shutter_time(ray.time);
         });
-        if (!plain) [[unlikely]] compact<Q>(batch, answers);
+        if (!plain) [[unlikely]]
+            compact<Q>(batch, answers);
         Answers<Q> out(answers, declined_, plain ? std::span<const std::uint32_t>{} : index_of_);
         const RayBatch asked =
             plain ? batch

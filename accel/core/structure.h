@@ -27,8 +27,8 @@ concept HasTraits = requires {
 /// ... which options it takes, and which specs the contract kit is to run.
 template <class S>
 concept HasOptions = requires {
-    { std::span<const OptionInfo>(S::options) };
-    { std::span<const std::string_view>(S::configurations) };
+    {std::span<const OptionInfo>(S::options)};
+    {std::span<const std::string_view>(S::configurations)};
 };
 /// ... is built from the input and its options,
 template <class S>
@@ -50,17 +50,16 @@ concept AnswersOneRay = requires(const S& s, const Ray& ray, Source source, Hit&
 };
 /// or whole batches.
 template <class S>
-concept AnswersBatches =
-    requires(const S& s, const RayBatch& batch, Answers<Query::closest>& hits,
-             Answers<Query::occluded>& bits, typename S::Scratch& scratch, Silent& silent,
-             Tally& tally) {
-        s.template many<Query::closest>(batch, hits, scratch, silent);
-        s.template many<Query::occluded>(batch, bits, scratch, tally);
-    };
+concept AnswersBatches = requires(const S& s, const RayBatch& batch, Answers<Query::closest>& hits,
+                                  Answers<Query::occluded>& bits, typename S::Scratch& scratch,
+                                  Silent& silent, Tally& tally) {
+    s.template many<Query::closest>(batch, hits, scratch, silent);
+    s.template many<Query::occluded>(batch, bits, scratch, tally);
+};
 
 template <class S>
 concept Structure = HasName<S> && HasTraits<S> && HasOptions<S> && IsBuilt<S> && HasFootprint<S> &&
-                    HasScratch<S> && (AnswersOneRay<S> || AnswersBatches<S>);
+    HasScratch<S> &&(AnswersOneRay<S> || AnswersBatches<S>);
 
 /// Partial structures may say which rays they take at all; asked once per batch.
 template <class S>
@@ -79,8 +78,8 @@ bool serves(const S& structure, Query query, RayKind kind) {
     return true;
 }
 
-/// Defined in session.h and instantiated once per counting policy, each in a file of its own: both in
-/// one file cost the silent code 13 % more instructions.
+/// Defined in session.h and instantiated once per counting policy, each in a file of its own: both
+/// in one file cost the silent code 13 % more instructions.
 template <Structure S, Counter C>
 std::unique_ptr<Session> open_session(const S& structure, const BuildInput& input);
 

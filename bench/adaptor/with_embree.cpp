@@ -17,6 +17,7 @@ nlohmann::ordered_json adaptor_cost(const Geometry& geometry, const RayStream& s
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     const auto rays = std::span(stream.rays).first(std::min(stream.size(), most_rays));
     for (const DirectRow& row : measure_direct(geometry, stream.batch_kind, rays, repetitions)) {
+        if (row.query != stream.question) continue;
         rows.push_back(
             {{"scene", stream.scene},
              {"kind", name_of(stream.kind)},

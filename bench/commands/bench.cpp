@@ -30,8 +30,6 @@ int bench(const BenchArguments& arguments, const Invocation& invocation) {
         print_json(invocation.out, document);
     } else {
         invocation.out << to_text(comparison_table(document)) << notes(document);
-        const Table adaptor = adaptor_table(document);
-        if (!adaptor.rows.empty()) invocation.out << '\n' << to_text(adaptor);
     }
     if (!arguments.results.empty()) {
         const std::string folder = write_results(arguments.results, document);

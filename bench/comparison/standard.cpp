@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::array<std::string_view, 4> generated{"spd/balls", "spd/gears", "spd/tetra",
                                                     "spd/mount"};
-constexpr std::array<std::string_view, 4> meshes{"mesh/bunny00", "mesh/elephant", "mesh/armadillo",
-                                                 "mesh/dragon"};
+/// Of those that setup.sh unpacks, so that every machine compares on the same ones.
+constexpr std::array<std::string_view, 3> meshes{"mesh/bunny00", "mesh/elephant", "mesh/armadillo"};
 
 }  // namespace
 

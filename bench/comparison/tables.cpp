@@ -1,4 +1,5 @@
 #include "bench/comparison/document.h"
+#include "bench/statistics/estimate.h"
 
 #include <algorithm>
 #include <map>
@@ -125,6 +126,24 @@ std::vector<std::string> detail_cells(const Json& row) {
             interval_cell(row, "ratio_to_embree")};
 }
 
+/// The median over all paths and streams, and the worst of them by name.
+std::string adaptor_note(const Json& document) {
+    std::vector<double> ratios;
+    std::string worst;
+    for (const Json& row : at(document, {"embree_adaptor"})) {
+        const auto ratio = number(at(row, {"adaptor_to_direct", "median"}));
+        if (!ratio) continue;
+        if (ratios.empty() || *ratio < *std::ranges::min_element(ratios))
+            worst = row["scene"].get<std::string>() + ", " + row["kind"].get<std::string>() + ", " +
+                    row["path"].get<std::string>();
+        ratios.push_back(*ratio);
+    }
+    if (ratios.empty()) return "";
+    return "Embree through our interface / called directly: median " +
+           number_cell(median(ratios), 3) + ", lowest " +
+           number_cell(*std::ranges::min_element(ratios), 3) + " (" + worst + ")\n";
+}
+
 }  // namespace
 
 void require_comparison(const Json& document) {
@@ -208,7 +227,7 @@ std::string notes(const Json& document) {
     }
     for (const auto& [name, reason] : refusals) text += "n/a: " + name + ": " + reason + "\n";
     if (sampled) text += std::string(sampled_mark) + " measured on a sample of the rays\n";
-    return text;
+    return text + adaptor_note(document);
 }
 
 }  // namespace rayshoot

@@ -4,6 +4,7 @@
 #include "tests/bench/faulty.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <sstream>
 
@@ -19,7 +20,8 @@ Call call(const std::vector<std::string>& arguments) {
 }
 
 std::filesystem::path fresh_folder(const std::string& name) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / ("rayshoot_" + name);
+    const auto folder = std::filesystem::path(testing::TempDir()) /
+                        ("rayshoot_" + name + "_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     return folder;

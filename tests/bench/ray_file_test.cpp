@@ -1,6 +1,7 @@
 #include "bench/streams/ray_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
@@ -11,7 +12,8 @@ namespace rayshoot {
 namespace {
 
 std::filesystem::path scratch(const std::string& name) {
-    return std::filesystem::path(testing::TempDir()) / ("rayshoot_" + name);
+    return std::filesystem::path(testing::TempDir()) /
+           (std::to_string(getpid()) + "_rayshoot_" + name);
 }
 
 RayStream specimen() {

@@ -54,19 +54,23 @@ TEST(EmbreeRays, sphere_is_hit_on_the_far_side_when_the_near_one_is_before_t_min
     EXPECT_NEAR(answer(unit_sphere(), down(3, 2.5f)).t, 4, 1e-5);
 }
 
+/// Embree's t of a ray at distance 1 is 1 but for its reciprocals' rounding, which differs with the
+/// instruction set.
+constexpr float t_rounding = 1e-5f;
+
 TEST(EmbreeRays, triangle_is_hit_from_both_sides) {
-    EXPECT_EQ(answer(one_triangle(), down(1)).t, 1);
+    EXPECT_NEAR(answer(one_triangle(), down(1)).t, 1, t_rounding);
     const Ray up{vec3{0, 0, -1}, 0, vec3{0, 0, 1}, infinity, 0};
-    EXPECT_EQ(answer(one_triangle(), up).t, 1);
+    EXPECT_NEAR(answer(one_triangle(), up).t, 1, t_rounding);
 }
 
-TEST(EmbreeRays, interval_is_open_at_both_ends) {
+TEST(EmbreeRays, interval_ends_before_and_begins_behind_its_ends) {
     for (const Precision precision : {Precision::standard, Precision::watertight}) {
         const Geometry geometry = one_triangle(precision);
-        EXPECT_EQ(answer(geometry, down(1, 0, 1)), Hit{});
-        EXPECT_EQ(answer(geometry, down(1, 1, 2)), Hit{});
-        EXPECT_EQ(answer(geometry, down(1, 0.5f, std::nextafter(1.0f, 2.0f))).t, 1);
-        EXPECT_EQ(answer(geometry, down(1, std::nextafter(1.0f, 0.0f), 2)).t, 1);
+        EXPECT_EQ(answer(geometry, down(1, 0, 1 - t_rounding)), Hit{});
+        EXPECT_EQ(answer(geometry, down(1, 1 + t_rounding, 2)), Hit{});
+        EXPECT_NEAR(answer(geometry, down(1, 0.5f, 1 + t_rounding)).t, 1, t_rounding);
+        EXPECT_NEAR(answer(geometry, down(1, 1 - t_rounding, 2)).t, 1, t_rounding);
     }
 }
 
@@ -79,7 +83,7 @@ TEST(EmbreeRays, origin_on_the_surface_does_not_hit_it) {
 TEST(EmbreeRays, t_is_in_units_of_the_direction) {
     Ray ray = down(1);
     ray.direction = {0, 0, -0.25f};
-    EXPECT_EQ(answer(one_triangle(), ray).t, 4);
+    EXPECT_NEAR(answer(one_triangle(), ray).t, 4, 4 * t_rounding);
 }
 
 TEST(EmbreeRays, negative_t_min_looks_behind_the_origin) {
@@ -110,7 +114,8 @@ TEST(EmbreeRays, invalid_rays_are_misses_and_leave_their_neighbours_alone) {
         const std::vector<Hit> hits = closest(*accel, rays, kind);
         const std::vector<std::uint8_t> any = occluded(*accel, rays, kind);
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            EXPECT_EQ(hits[i].t, answerable(rays[i]) ? 1.0f : infinity) << i;
+            if (answerable(rays[i])) EXPECT_NEAR(hits[i].t, 1, t_rounding) << i;
+            else EXPECT_EQ(hits[i], Hit{}) << i;
             EXPECT_EQ(any[i], answerable(rays[i])) << i;
         }
     }

@@ -4,7 +4,8 @@
 
 #include <array>
 
-/// Rigid motion over the shutter: the one scalar function that moves a ray into a Mover's rest frame.
+/// Rigid motion over the shutter: the one scalar function that moves a ray into a Mover's rest
+/// frame.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// A point x of the rest frame is at R(time) * (x - pivot) + pivot + translation(time).
@@ -13,7 +14,7 @@ struct Motion {
     using Quaternion = std::array<float, 4>;
 
     vec3 pivot{0};
-    std::array<vec3, 2> translation{vec3{0}, vec3{0}};                      ///< at time 0 and 1
+    std::array<vec3, 2> translation{vec3{0}, vec3{0}};                         ///< at time 0 and 1
     std::array<Quaternion, 2> rotation{Quaternion{0, 0, 0, 1}, {0, 0, 0, 1}};  ///< at time 0 and 1
 
     bool operator==(const Motion&) const = default;

@@ -8,7 +8,8 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 /// Woop et al. 2013: the shear that maps the ray onto the unit z axis; z is the dominant axis.
 struct Shear {
     int x = 0, y = 1, z = 2;
-    float along_x = 0, along_y = 0;  ///< direction[x] / direction[z] and direction[y] / direction[z]
+    float along_x = 0,
+          along_y = 0;  ///< direction[x] / direction[z] and direction[y] / direction[z]
 
     explicit Shear(const vec3& d) {
         const float ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
@@ -28,8 +29,11 @@ struct TestRay : SlabRay {
     Shear shear;
 
     explicit TestRay(const Ray& ray)
-        : SlabRay(ray.origin, ray.direction), direction(ray.direction),
-          direction_size(taxicab(ray.direction)), t_min(ray.t_min), time(ray.time),
+        : SlabRay(ray.origin, ray.direction),
+          direction(ray.direction),
+          direction_size(taxicab(ray.direction)),
+          t_min(ray.t_min),
+          time(ray.time),
           shear(ray.direction) {}
 };
 

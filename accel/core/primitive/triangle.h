@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-/// The triangle and its two tests. Both are two-sided and report the line's hit at any t; the shared
-/// place in leaves.h clamps and compares it.
+/// The triangle and its two tests. Both are two-sided and report the line's hit at any t; the
+/// shared place in leaves.h clamps and compares it.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 struct Triangle {
@@ -67,7 +67,8 @@ inline void intersect(const Triangle& triangle, const TestRay& ray, Accept&& acc
     const float scale = taxicab(e1) * taxicab(e2) * ray.direction_size;
     const bool trusted = sums.det > float_parallel * scale && sums.det > smallest_determinant &&
                          sums.det < largest_determinant;
-    if (!trusted) [[unlikely]] return intersect_in_double(triangle, ray, accept);
+    if (!trusted) [[unlikely]]
+        return intersect_in_double(triangle, ray, accept);
     if (!sums.inside()) return;
     accept(sums.t / sums.det, sums.u / sums.det, sums.v / sums.det);
 }
@@ -88,7 +89,8 @@ struct EdgeFunctions {
 template <class Accept>
 inline void intersect_watertight(const Triangle& triangle, const TestRay& ray, Accept&& accept) {
     const auto [x, y, z, along_x, along_y] = ray.shear;
-    const vec3 a = triangle.a - ray.origin, b = triangle.b - ray.origin, c = triangle.c - ray.origin;
+    const vec3 a = triangle.a - ray.origin, b = triangle.b - ray.origin,
+               c = triangle.c - ray.origin;
     const float ax = std::fma(-along_x, a[z], a[x]), ay = std::fma(-along_y, a[z], a[y]);
     const float bx = std::fma(-along_x, b[z], b[x]), by = std::fma(-along_y, b[z], b[y]);
     const float cx = std::fma(-along_x, c[z], c[x]), cy = std::fma(-along_y, c[z], c[y]);
