@@ -52,7 +52,7 @@ inline bool Bvh::one(const Ray& incoming, Source, Hit& hit, Scratch&, C& count) 
         Child child;
         float entry;
     };
-    const TestRay ray(incoming);
+    const TestRay ray = leaves_.prepared(incoming);
     const SlabRay slabs = ray;  // a copy that no call can reach, so that it stays in registers
     std::array<Pending, deepest + 1> stack;
     Pending* top = stack.data();

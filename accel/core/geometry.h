@@ -17,11 +17,6 @@ enum class PrimitiveKind : std::uint8_t { triangle, sphere, frustum, polygon };
 inline constexpr int primitive_kinds = 4;
 
 /// A property of the geometry, so every structure of a run shares it.
-/// standard (`precision=default`): float Moeller-Trumbore. watertight: Woop et al. 2013, with
-/// bounds padded so that no ray that starts within four scene diagonals slips between adjacent
-/// triangles.
-enum class Precision : std::uint8_t { standard, watertight };
-
 inline constexpr std::uint32_t no_motion = 0;
 
 /// What a primitive's number stands for.

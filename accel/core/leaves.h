@@ -29,6 +29,9 @@ public:
     Leaves(const Geometry& geometry, std::span<const std::uint32_t> order,
            std::span<const LeafRange> leaves);
 
+    /// What test() needs of a ray, computed once.
+    TestRay prepared(const Ray& ray) const { return {ray, geometry_->precision()}; }
+
     /// Tests the ray against every primitive of a leaf; for Query::occluded until one is hit.
     template <Query Q, Counter C>
     void test(LeafRange leaf, const TestRay& ray, Hit& hit, C& count) const;
@@ -67,7 +70,7 @@ void test_primitive(const Geometry& geometry, std::uint32_t primitive, const Ray
                     C& count) {
     const LeafRange all{0, 1};
     Leaves(geometry, std::span(&primitive, 1), std::span(&all, 1))
-        .test<Q>(all, TestRay(ray), hit, count);
+        .test<Q>(all, TestRay(ray, geometry.precision()), hit, count);
 }
 
 /// The definition of a hit (README, rules 1 and 4): clamped to its primitive's bounds, then
@@ -147,7 +150,7 @@ inline void Leaves::test(LeafRange leaf, const TestRay& ray, Hit& hit, C& count)
             test_run<Q>(rest.first(length), ray, ray, hit, count);
         } else {
             const Ray moving{ray.origin, ray.t_min, ray.direction, infinity, ray.time};
-            const TestRay at_rest(into_rest_frame(geometry_->motion(motion), moving));
+            const TestRay at_rest = prepared(into_rest_frame(geometry_->motion(motion), moving));
             test_run<Q>(rest.first(length), ray, at_rest, hit, count);
         }
         if constexpr (Q == Query::occluded)

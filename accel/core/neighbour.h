@@ -11,10 +11,12 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// The largest float below x; -infinity for itself. x is not NaN.
 inline float float_below(float x) {
-    if (x == 0) return -std::numeric_limits<float>::denorm_min();
-    if (x == -std::numeric_limits<float>::infinity()) return x;
+    constexpr std::uint32_t negative = 0x80000000, minus_infinity = 0xff800000;
     const auto bits = std::bit_cast<std::uint32_t>(x);
-    return std::bit_cast<float>(x > 0 ? bits - 1 : bits + 1);
+    // Selections, not branches: signs cannot be foretold.
+    std::uint32_t below = bits - 1 + 2 * (bits >> 31);
+    below = (bits & ~negative) == 0 ? negative + 1 : below;
+    return std::bit_cast<float>(bits == minus_infinity ? bits : below);
 }
 
 /// The smallest float above x; +infinity for itself. x is not NaN.

@@ -59,9 +59,9 @@ inline constexpr std::size_t default_batch = 1024;  ///< rays; 256 to 4096 measu
 
 struct RayBatch {
     RayKind kind = RayKind::secondary;
-    std::uint8_t depth = 1;          ///< level in the ray tree; 1 is the camera's
-    std::span<const Ray> rays;       ///< at most max_batch
-    std::span<const Source> source;  ///< empty, or one per ray
+    std::uint8_t depth = 1;            ///< level in the ray tree; 1 is the camera's
+    std::span<const Ray> rays{};       ///< at most max_batch
+    std::span<const Source> source{};  ///< empty, or one per ray
 };
 
 /// NaN anywhere, an infinite origin or direction, a zero direction or t_min >= t_max: no hit, no

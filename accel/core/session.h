@@ -75,7 +75,7 @@ private:
         assert_promises_kept(input_, batch);
         declined_.clear();
         C count = policy(batch.kind);
-        if (!serves(structure_, Q, batch.kind)) {
+        if (!serves(structure_, Q, batch.kind) || (NeedsSource<S> && batch.source.empty())) {
             for (std::uint32_t i = 0; i < batch.rays.size(); ++i) declined_.push_back(i);
         } else if constexpr (AnswersOneRay<S>) {
             answer_singly<Q>(batch, answers, count);

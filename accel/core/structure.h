@@ -66,6 +66,12 @@ template <class S>
 concept Selective = requires(const S& s) {
     { s.serves(Query::closest, RayKind::camera) } -> std::same_as<bool>;
 };
+/// ... or that they cannot answer without knowing where a ray comes from; of a batch without
+/// sources every ray is then declined for them.
+template <class S>
+concept NeedsSource = requires {
+    requires S::needs_source;
+};
 /// A structure may refuse a geometry before it is built.
 template <class S>
 concept Refusing = requires(const Geometry& geometry) {

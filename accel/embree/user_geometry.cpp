@@ -53,7 +53,7 @@ Hit UserGeometry::hit(unsigned index, RTCRayN* rays, unsigned width, unsigned la
     if (!answerable(ray)) return {};
     Hit hit = nothing_yet(ray);
     const Silent count;
-    leaves_.test<Q>({index, 1}, TestRay(ray), hit, count);
+    leaves_.test<Q>({index, 1}, leaves_.prepared(ray), hit, count);
     return hit;
 }
 

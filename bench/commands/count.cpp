@@ -105,6 +105,8 @@ Table count_table(const Json& document) {
         }
         table.rows.push_back(std::move(cells));
     }
+    if (const Json& lost = document["totally_reflected"]; !lost.is_null())
+        table.rows.push_back({"totally_reflected", "", "", lost.dump()});
     return table;
 }
 
@@ -135,6 +137,8 @@ int count(const CountArguments& arguments, const Invocation& invocation) {
     document["spp"] = format.spp;
     document["rays"] =
         counts_to_json(*counted.session, counted.answered ? &*counted.answered : nullptr);
+    document["totally_reflected"] =
+        counted.answered ? Json(counted.answered->totally_reflected) : Json(nullptr);
     document["footprint"] = to_json(accel->footprint());
     document["members"] = members_to_json(*accel, *counted.session);
     document["build_seconds"] = build_seconds;

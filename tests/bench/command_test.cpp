@@ -46,8 +46,9 @@ TEST(Count, has_the_documented_keys) {
                                "--size", "16x16", "--json"});
     ASSERT_EQ(counted.code, 0) << counted.err;
     const Json document = counted.json();
-    expect_keys(document, {"schema", "scene", "structure", "primitives", "rays", "footprint",
-                           "members", "build_seconds", "seconds"});
+    expect_keys(document,
+                {"schema", "scene", "structure", "primitives", "rays", "totally_reflected",
+                 "footprint", "members", "build_seconds", "seconds"});
     for (const char* kind : {"camera", "shadow", "secondary"})
         expect_keys(document["rays"][kind], counter_keys);
     expect_keys(document["footprint"],
@@ -69,6 +70,14 @@ TEST(Count, default_size_is_that_of_the_published_tables) {
         call({"count", "--scene", "spd/jacks", "--structure", "bvh", "--json"}).json();
     EXPECT_EQ(document["rays"]["camera"]["rays"], 513 * 513);
     EXPECT_EQ(document["rules"], "spd-readme");
+}
+
+TEST(Count, tells_of_refractions_that_published_tables_count_and_nobody_traces) {
+    const Json document = call({"count", "--scene", "spd/gears:size=1", "--structure", "bvh",
+                                "--size", "64x64", "--json"})
+                              .json();
+    EXPECT_GT(document["totally_reflected"], 0);
+    EXPECT_LT(document["totally_reflected"], document["rays"]["secondary"]["rays"]);
 }
 
 TEST(Check, finds_no_difference_in_the_bvh) {

@@ -1,4 +1,6 @@
+#include "accel/core/session.h"
 #include "tests/contract/contract.h"
+#include "tests/contract/structures/wary/wary.h"
 #include "tests/contract/test_catalogue.h"
 
 #include <gtest/gtest.h>
@@ -128,6 +130,25 @@ TEST(Partial, that_needs_sources_declines_everything_without_them) {
     EXPECT_EQ(declined_of(composed.member(0, RayKind::camera)), 200u);
     expect_truth(*composed.session, some_camera_rays(tested, true));
     EXPECT_EQ(rays_of(composed.member(0, RayKind::camera)), 200u);
+}
+
+/// Answers ray by ray, so that only the session can tell "no source" from cell (0, 0).
+struct Sourced : Wary {
+    static constexpr bool needs_source = true;
+    using Wary::Wary;
+};
+
+TEST(Partial, that_says_it_needs_sources_is_not_asked_without_them) {
+    const Case tested = soup();
+    const BuildInput input{tested.scene.geometry};
+    const Sourced structure(input, Options("sourced", {}, {}));
+    StructureSession<Sourced, Tally> session(structure, input);
+    std::vector<Hit> hits(100);
+    const Stream without = some_camera_rays(tested, false), with = some_camera_rays(tested, true);
+    EXPECT_EQ(session.closest(without.batch(0, 100), hits).size(), 100u);
+    EXPECT_EQ(session.counters(RayKind::camera)->operator[](Event::object_test), 0u);
+    session.closest(with.batch(0, 100), hits);
+    EXPECT_GT(session.counters(RayKind::camera)->operator[](Event::object_test), 0u);
 }
 
 TEST(Partial, reports_what_it_declines_in_ascending_order) {

@@ -33,7 +33,7 @@ Hit Truth::closest(const Ray& given) const {
     if (!valid(given)) return {};
     Ray ray = given;
     ray.time = std::clamp(ray.time, 0.0f, 1.0f);
-    const TestRay test_ray(ray);
+    const TestRay test_ray = leaves_.prepared(ray);
     Hit best;
     Silent silent;
     for (std::uint32_t primitive = 0; primitive < size_; ++primitive) {

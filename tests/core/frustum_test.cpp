@@ -11,7 +11,8 @@ namespace {
 
 std::vector<float> ask(const Frustum& frustum, const Ray& ray) {
     std::vector<float> all;
-    intersect(frustum, TestRay(ray), [&](float t, float, float) { all.push_back(t); });
+    intersect(frustum, TestRay(ray, Precision::standard),
+              [&](float t, float, float) { all.push_back(t); });
     std::sort(all.begin(), all.end());
     return all;
 }

@@ -24,7 +24,7 @@ using Answer = std::array<float, 3>;
 template <class Shape, class Test>
 std::vector<Answer> ask(const Shape& shape, const Ray& ray, Test&& test) {
     std::vector<Answer> all;
-    test(shape, TestRay(ray), [&](float t, float u, float v) {
+    test(shape, TestRay(ray, Precision::watertight), [&](float t, float u, float v) {
         if (!std::isnan(t)) all.push_back({t, u, v});
     });
     return all;

@@ -9,7 +9,7 @@ namespace {
 
 std::vector<float> ask(const Sphere& sphere, const Ray& ray) {
     std::vector<float> all;
-    intersect(sphere, TestRay(ray), [&](float t, float, float) {
+    intersect(sphere, TestRay(ray, Precision::standard), [&](float t, float, float) {
         if (!std::isnan(t)) all.push_back(t);
     });
     return all;

@@ -55,7 +55,9 @@ struct Answer {
 template <class Test>
 Answer ask(const Triangle& triangle, const Ray& ray, Test&& test) {
     Answer answer;
-    test(triangle, TestRay(ray), [&](float t, float u, float v) { answer = {true, t, u, v}; });
+    test(triangle, TestRay(ray, Precision::watertight), [&](float t, float u, float v) {
+        answer = {true, t, u, v};
+    });
     return answer;
 }
 

@@ -22,7 +22,7 @@ public:
         if (!answerable(ray)) return {};
         Hit hit = nothing_yet(ray);
         const Silent count;
-        leaves_.test<Query::closest>(all_, TestRay(ray), hit, count);
+        leaves_.test<Query::closest>(all_, leaves_.prepared(ray), hit, count);
         return hit.primitive == no_primitive ? Hit{} : hit;
     }
 

@@ -44,7 +44,8 @@ struct TriangleSums {
         v = dot(direction, q) * sign;
         t = dot(e2, q) * sign;
     }
-    bool inside() const { return u >= 0 && v >= 0 && u + v <= det; }  ///< false for NaN
+    /// False for NaN. One branch for its caller, not three that each go wrong now and then.
+    bool inside() const { return (u >= 0) & (v >= 0) & (u + v <= det); }
 };
 
 template <class Accept>
@@ -65,8 +66,8 @@ inline void intersect(const Triangle& triangle, const TestRay& ray, Accept&& acc
     const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
     const TriangleSums<float> sums(triangle.a, e1, e2, ray.origin, ray.direction);
     const float scale = taxicab(e1) * taxicab(e2) * ray.direction_size;
-    const bool trusted = sums.det > float_parallel * scale && sums.det > smallest_determinant &&
-                         sums.det < largest_determinant;
+    const bool trusted = (sums.det > float_parallel * scale) & (sums.det > smallest_determinant) &
+                         (sums.det < largest_determinant);
     if (!trusted) [[unlikely]]
         return intersect_in_double(triangle, ray, accept);
     if (!sums.inside()) return;

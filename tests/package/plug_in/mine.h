@@ -24,7 +24,7 @@ public:
     template <rayshoot::Query Q, rayshoot::Counter C>
     bool one(const rayshoot::Ray& ray, rayshoot::Source, rayshoot::Hit& hit, Scratch&,
              C& count) const {
-        const rayshoot::TestRay test_ray(ray);
+        const rayshoot::TestRay test_ray = leaves_.prepared(ray);
         count(rayshoot::Event::bounding_volume_test);
         if (!clip(test_ray, box_).empty())
             leaves_.template test<Q>(everything_, test_ray, hit, count);

@@ -26,7 +26,7 @@ public:
     template <Query Q, Counter C>
     bool one(const Ray& ray, Source, Hit& hit, Scratch& scratch, C& count) const {
         if (scratch.tree.empty()) scratch.tree = KdTree(geometry_);
-        const TestRay test_ray(ray);
+        const TestRay test_ray = leaves_.prepared(ray);
         const Interval all = clip(test_ray, geometry_.bounds(), {ray.t_min, hit.t});
         if (!all.empty()) visit<Q>(0, all, test_ray, hit, scratch, count);
         return true;

@@ -53,7 +53,7 @@ public:
                 continue;
             }
             Hit hit = nothing_yet(batch.rays[i]);
-            leaves_.template test<Q>(everything_, TestRay(batch.rays[i]), hit, count);
+            leaves_.template test<Q>(everything_, leaves_.prepared(batch.rays[i]), hit, count);
             answers.store(i, hit);
         }
     }

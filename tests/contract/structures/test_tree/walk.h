@@ -44,7 +44,7 @@ private:
     static TestRay planted(const Tree& tree, const Ray& given) {
         Ray ray = given;
         if (tree.has(Fault::forgotten_time)) ray.time = 0;
-        TestRay test_ray(ray);
+        TestRay test_ray = tree.leaves().prepared(ray);
         if (tree.has(Fault::negative_zero))
             for (int axis = 0; axis < 3; ++axis)
                 test_ray.descending[static_cast<std::size_t>(axis)] = ray.direction[axis] < 0;

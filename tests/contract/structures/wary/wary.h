@@ -26,7 +26,7 @@ public:
 
     template <Query Q, Counter C>
     bool one(const Ray& ray, Source, Hit& hit, Scratch&, C& count) const {
-        leaves_.template test<Q>(everything_, TestRay(ray), hit, count);
+        leaves_.template test<Q>(everything_, leaves_.prepared(ray), hit, count);
         return ray.direction.z >= 0;
     }
     Footprint footprint() const { return {.bytes = leaves_.bytes()}; }
