@@ -13,7 +13,7 @@ struct PlanOptions {
     std::vector<std::string> scenes, structures, rows, ray_files;
     std::vector<std::string> kinds{"camera", "shadow", "diffuse", "random"};
     std::string size = "384x384";
-    int spp = 1, threads = 1, repetitions = 7;
+    int spp = 1, threads = 1, repetitions = 11;
     std::size_t batch = default_batch;
     std::uint64_t seed = 1;
     bool warm = false, standard = false, adaptor_cost = false;

@@ -21,7 +21,7 @@ struct ComparisonPlan {
     ImageFormat format{384, 384, 1, Raster::centres, 0};  ///< that streams are recorded from
     int threads = 1;                                      ///< of what is timed
     int gate_threads = 1;
-    int repetitions = 7;  ///< blocks, each with every structure once
+    int repetitions = 11;  ///< blocks, each with every structure once
     std::size_t batch = default_batch;
     bool adaptor_cost = false;  ///< measure what our interface costs Embree, too
     bool warm = false;          ///< rows on kept sessions as well

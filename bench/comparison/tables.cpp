@@ -114,9 +114,13 @@ std::string interval_cell(const Json& row, const char* what) {
     return number_cell(low, 3) + " to " + number_cell(high, 3);
 }
 
+std::string whole_cell(const Json& value) {
+    return value.is_null() ? std::string(not_measured) : value.dump();
+}
+
 std::vector<std::string> detail_cells(const Json& row) {
     return {row["name"],
-            number_cell(number(at(row, {"rays"})), 9),
+            whole_cell(at(row, {"rays"})),
             mean_cell(row, "object_tests"),
             mean_cell(row, "bounding_volume_tests"),
             mean_cell(row, "steps"),
