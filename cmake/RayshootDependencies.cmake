@@ -5,6 +5,7 @@ find_package(Threads REQUIRED)
 find_package(PNG REQUIRED)          # no configuration file: CMake's own module
 find_package(OpenSSL REQUIRED)      # likewise; for SHA-256
 find_package(glm CONFIG REQUIRED)
+find_package(hwy CONFIG REQUIRED)
 find_package(TBB CONFIG REQUIRED)
 find_package(OpenMesh CONFIG REQUIRED)
 find_package(tinyobjloader CONFIG REQUIRED)

@@ -1,11 +1,12 @@
-# rayshoot_structure(<name> <header> <Class> [exact|tolerance] [SOURCES <file>...])
+# rayshoot_structure(<name> <header> <Class> [exact|tolerance] [SOURCES <file>...]
+#                    [LIBRARIES <target>...])
 #
 # Makes the library rayshoot_<name> of one acceleration structure: its sources (a header that lies in
 # a folder of its own brings every .cpp of that folder), one file per counting policy, and
 # <name>_entry.h with `rayshoot::<name>_entry()`, its line of the catalogue. The same function serves
 # accel/catalogue.def and programs that bring a structure of their own.
 function(rayshoot_structure name header class)
-    cmake_parse_arguments(PARSE_ARGV 3 arg "exact;tolerance" "" "SOURCES")
+    cmake_parse_arguments(PARSE_ARGV 3 arg "exact;tolerance" "" "SOURCES;LIBRARIES")
     set(RAYSHOOT_NAME "${name}")
     set(RAYSHOOT_HEADER "${header}")
     set(RAYSHOOT_CLASS "${class}")
@@ -29,7 +30,7 @@ function(rayshoot_structure name header class)
         "${generated}/${name}_counting.cpp")
     target_include_directories(rayshoot_${name} PUBLIC "$<BUILD_INTERFACE:${generated}>"
         PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
-    target_link_libraries(rayshoot_${name} PUBLIC rayshoot::core
+    target_link_libraries(rayshoot_${name} PUBLIC rayshoot::core ${arg_LIBRARIES}
         PRIVATE $<BUILD_INTERFACE:$<TARGET_NAME_IF_EXISTS:rayshoot_warnings>>)
     # Link-time optimisation would undo the separation of the policies (11 % more instructions).
     set_target_properties(rayshoot_${name} PROPERTIES INTERPROCEDURAL_OPTIMIZATION OFF)

@@ -80,7 +80,7 @@ private:
         if (range.count == 1) return make_leaf(range);
 
         const Split split = out_of_depth(range) ? Split{} : best_split(range, bounds, centres);
-        const float leaf_cost = settings_.test_cost * static_cast<float>(range.count);
+        const float leaf_cost = settings_.test_cost * tests(range.count);
         if (range.count <= settings_.largest_leaf && !(split.cost < leaf_cost))
             return make_leaf(range);
         divide(range, split.axis < 0 ? range.count / 2 : partition(range, centres, split));
@@ -150,9 +150,12 @@ private:
         side.count += bin.count;
     }
     /// Infinite for an empty side, so that it is never chosen.
-    static float cost(const Bin& side) {
-        return side.count == 0 ? infinity
-                               : side.bounds.half_area() * static_cast<float>(side.count);
+    float cost(const Bin& side) const {
+        return side.count == 0 ? infinity : side.bounds.half_area() * tests(side.count);
+    }
+    float tests(std::uint32_t primitives) const {
+        const std::uint32_t width = settings_.test_width;
+        return static_cast<float>((primitives + width - 1) / width);
     }
 
     std::uint32_t partition(const Range& range, const Box& centres, const Split& split) {

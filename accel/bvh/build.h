@@ -25,7 +25,8 @@ struct BinnedSah {
     int bins = 16;
     std::uint32_t largest_leaf = 4;
     int deepest = 64;
-    float step_cost = 1, test_cost = 1;  ///< of a node and of a primitive, in one unit
+    float step_cost = 1, test_cost = 1;  ///< of a node and of a test, in one unit
+    std::uint32_t test_width = 1;        ///< primitives that one test tests at once
 };
 
 /// Wald 2007: splits where the surface-area heuristic over centroid bins is least; in the middle of

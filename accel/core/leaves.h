@@ -73,15 +73,20 @@ void test_primitive(const Geometry& geometry, std::uint32_t primitive, const Ray
         .test<Q>(all, TestRay(ray, geometry.precision()), hit, count);
 }
 
+/// Rules 3 and 4 of the README, for a t that is clamped.
+inline void accept(const Hit& candidate, float t_min, Hit& best) {
+    if (candidate.t > t_min &&
+        (candidate.t < best.t || (candidate.t == best.t && candidate.primitive < best.primitive)))
+        best = candidate;
+}
+
 /// The definition of a hit (README, rules 1 and 4): clamped to its primitive's bounds, then
 /// compared. Returns whether the primitive was hit at all.
 inline bool offer(float t, float u, float v, std::uint32_t primitive, const Box& bounds,
                   const TestRay& world, Hit& hit) {
     const Interval interval = clip(world, bounds);
     if (interval.empty() || std::isnan(t)) return false;
-    t = interval.clamp(t);
-    if (t > world.t_min && (t < hit.t || (t == hit.t && primitive < hit.primitive)))
-        hit = {t, primitive, u, v};
+    accept({interval.clamp(t), primitive, u, v}, world.t_min, hit);
     return true;
 }
 

@@ -67,9 +67,11 @@ struct RayBatch {
 /// NaN anywhere, an infinite origin or direction, a zero direction or t_min >= t_max: no hit, no
 /// test.
 inline bool answerable(const Ray& ray) {
-    return finite(ray.origin) && finite(ray.direction) &&
-           (ray.direction.x != 0 || ray.direction.y != 0 || ray.direction.z != 0) &&
-           ray.t_min < ray.t_max && !std::isnan(ray.time);
+    const vec3 &o = ray.origin, &d = ray.direction;
+    // Without a branch: this is asked of every ray. Infinities and NaN times 0 are NaN.
+    const bool numbers = (o.x * 0 + o.y * 0) + (o.z * 0 + d.x * 0) + (d.y * 0 + d.z * 0) == 0;
+    const bool somewhere = (d.x != 0) | (d.y != 0) | (d.z != 0);
+    return numbers & somewhere & (ray.t_min < ray.t_max) & (ray.time == ray.time);
 }
 
 /// The time that is answered for: clamped to [0, 1], here and nowhere else.

@@ -110,7 +110,7 @@ private:
     template <Query Q>
     void answer_together(const RayBatch& batch, std::span<Answer<Q>> answers, C& count) {
         const bool plain = std::all_of(batch.rays.begin(), batch.rays.end(), [](const Ray& ray) {
-            return answerable(ray) && ray.time == shutter_time(ray.time);
+            return answerable(ray) & (ray.time >= 0) & (ray.time <= 1);
         });
         if (!plain) [[unlikely]]
             compact<Q>(batch, answers);

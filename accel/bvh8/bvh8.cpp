@@ -1,0 +1,153 @@
+#include "accel/bvh8/bvh8.h"
+
+#include "accel/bvh/build.h"
+
+#include <algorithm>
+
+namespace rayshoot::inline RAYSHOOT_ISA {
+namespace {
+
+/// Bytes of a tree from which on rays in flight beat one ray at a time: more than a second-level
+/// cache holds.
+constexpr std::uint64_t larger_than_caches = std::uint64_t{8} << 20;
+
+std::vector<Box> boxes(const Geometry& geometry) {
+    std::vector<Box> boxes;
+    boxes.reserve(geometry.size());
+    for (std::uint32_t i = 0; i < geometry.size(); ++i) boxes.push_back(geometry.bounds(i));
+    return boxes;
+}
+
+/// The binary nodes that become the children of one wide node: the one with the largest box is
+/// replaced by its two children until there are eight (Wald, Benthin & Boulos 2008).
+class Children {
+public:
+    Children(const BinaryTree& tree, std::uint32_t node) : tree_(tree) {
+        add(node);
+        while (size_ < WideNode::width && open_largest()) {
+        }
+    }
+    std::size_t size() const { return size_; }
+    std::uint32_t operator[](std::size_t i) const { return nodes_[i]; }
+
+private:
+    void add(std::uint32_t node) { nodes_[size_++] = node; }
+    bool open_largest() {
+        std::size_t largest = size_;
+        float area = -1;
+        for (std::size_t i = 0; i < size_; ++i) {
+            const BinaryTree::Node& node = tree_.nodes[nodes_[i]];
+            if (node.count > 0 || !(node.bounds.half_area() > area)) continue;
+            largest = i;
+            area = node.bounds.half_area();
+        }
+        if (largest == size_) return false;
+        const std::uint32_t left = tree_.nodes[nodes_[largest]].first;
+        nodes_[largest] = left;
+        add(left + 1);
+        return true;
+    }
+
+    const BinaryTree& tree_;
+    std::array<std::uint32_t, WideNode::width> nodes_;
+    std::size_t size_ = 0;
+};
+
+/// Lays a binary tree out as wide nodes, depth first, and its leaves in the order of the nodes.
+class Layout {
+public:
+    Layout(const Geometry& geometry, const BinaryTree& tree) : geometry_(geometry), tree_(tree) {
+        nodes.reserve(tree.nodes.size() / 6 + 1);
+        blocks.reserve(tree.order.size() / 3 + 1);
+        nodes.emplace_back();
+        if (!tree.nodes.empty()) pending_.push_back({0, 0});
+        while (!pending_.empty()) {
+            const Pending next = pending_.back();
+            pending_.pop_back();
+            fill(next);
+        }
+    }
+
+    PagedVector<WideNode> nodes;
+    PagedVector<TriangleBlock> blocks;
+    std::vector<LeafRange> mixed;
+    std::vector<std::uint32_t> order;  ///< of what is in the mixed leaves
+
+private:
+    struct Pending {
+        std::uint32_t source, node;
+    };
+
+    void fill(const Pending& place) {
+        const Children children(tree_, place.source);
+        nodes[place.node].live = static_cast<std::uint32_t>(children.size());
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            const BinaryTree::Node& child = tree_.nodes[children[i]];
+            nodes[place.node].bounds.set(i, child.bounds);
+            if (child.count > 0) {
+                nodes[place.node].children[i] = leaf(child).bits();
+            } else {
+                const auto number = static_cast<std::uint32_t>(nodes.size());
+                nodes.emplace_back();
+                nodes[place.node].children[i] = WideChild::node(number).bits();
+                pending_.push_back({children[i], number});
+            }
+        }
+    }
+
+    WideChild leaf(const BinaryTree::Node& leaf) {
+        const auto members = std::span(tree_.order).subspan(leaf.first, leaf.count);
+        const bool plain = std::all_of(members.begin(), members.end(), [&](std::uint32_t number) {
+            const PrimitiveRef& ref = geometry_.ref(number);
+            return ref.kind == PrimitiveKind::triangle && ref.motion == no_motion;
+        });
+        if (!plain || geometry_.precision() != Precision::standard) {
+            mixed.push_back({static_cast<std::uint32_t>(order.size()), leaf.count});
+            order.insert(order.end(), members.begin(), members.end());
+            return WideChild::mixed(static_cast<std::uint32_t>(mixed.size() - 1));
+        }
+        const auto first = static_cast<std::uint32_t>(blocks.size());
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            if (i % TriangleBlock::width == 0) blocks.emplace_back();
+            blocks.back().set(i % TriangleBlock::width,
+                              geometry_.triangle(geometry_.ref(members[i]).index), members[i]);
+        }
+        return WideChild::blocks(first, static_cast<std::uint32_t>(blocks.size()) - first);
+    }
+
+    const Geometry& geometry_;
+    const BinaryTree& tree_;
+    std::vector<Pending> pending_;
+};
+
+}  // namespace
+
+Bvh8::Bvh8(const BuildInput& input, const Options& chosen)
+    : padding_(input.geometry.padding()), precision_(input.geometry.precision()) {
+    const BinaryTree tree =
+        build_binned_sah(boxes(input.geometry),
+                         {.bins = chosen.integer("bins", 2, 256),
+                          .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 32)),
+                          .deepest = Flight::deepest,
+                          .test_width = TriangleBlock::width});
+    Layout layout(input.geometry, tree);
+    nodes_ = std::move(layout.nodes);
+    blocks_ = std::move(layout.blocks);
+    mixed_ = std::move(layout.mixed);
+    others_ = Leaves(input.geometry, layout.order, mixed_);
+    footprint_ = {.interior = nodes_.size(),
+                  .leaves = static_cast<std::uint64_t>(
+                      std::count_if(tree.nodes.begin(), tree.nodes.end(),
+                                    [](const BinaryTree::Node& node) { return node.count > 0; })),
+                  .empty_leaves = 0,
+                  .references = tree.order.size(),
+                  .depth = static_cast<std::uint64_t>(tree.depth),
+                  .bytes = nodes_.size() * sizeof(WideNode) +
+                           blocks_.size() * sizeof(TriangleBlock) +
+                           mixed_.size() * sizeof(LeafRange) + others_.bytes()};
+    packets_ = chosen.flag("packets") && mixed_.empty();
+    in_flight_ = static_cast<std::size_t>(chosen.integer("flight", 0, most_flights));
+    if (in_flight_ == 0) in_flight_ = *footprint_.bytes > larger_than_caches ? 16 : 1;
+}
+
+}  // namespace rayshoot::inline RAYSHOOT_ISA

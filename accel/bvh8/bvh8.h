@@ -1,0 +1,179 @@
+#pragma once
+
+#include "accel/bvh8/flight.h"
+#include "accel/bvh8/packet.h"
+#include "accel/core/session.h"
+
+/// Bounding-volume hierarchy with eight children a node, tested at once. Coherent rays go together
+/// as packets; others one by one, or many in flight where the tree is larger than the caches, so
+/// that one ray's wait for memory is the others' time. See README.md.
+namespace rayshoot::inline RAYSHOOT_ISA {
+
+class Bvh8 {
+public:
+    static constexpr std::string_view name = "bvh8";
+    static constexpr std::string_view summary =
+        "bounding-volume hierarchy: binned SAH, 8-wide, SIMD leaves, packets, rays in flight";
+    static constexpr bool complete = true, remembers = false;
+    static constexpr std::array options{
+        OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
+        OptionInfo{"bins", "2 to 256", "16", "bins per axis that a split is chosen from"},
+        OptionInfo{"packets", "on|off", "on", "coherent rays go together, up to 64"},
+        OptionInfo{"flight", "0 to 64", "0",
+                   "incoherent rays in flight; 0: 1 or 16, by the size of the tree"}};
+    static constexpr std::array<std::string_view, 4> configurations{
+        "bvh8", "bvh8:packets=off,flight=1", "bvh8:packets=off,flight=16", "bvh8:leaf=32,bins=4"};
+    static constexpr std::size_t most_flights = 64;
+
+    /// A child that a packet is still to visit, and where its beam enters it.
+    struct Halt {
+        std::uint32_t node, place;
+        float entry;
+    };
+    struct Scratch {
+        std::vector<Flight> flights = std::vector<Flight>(most_flights);
+        Packet packet;
+        std::vector<Halt> halts;
+
+        std::size_t bytes() const {
+            return flights.size() * sizeof(Flight) + halts.capacity() * sizeof(Halt);
+        }
+    };
+
+    Bvh8(const BuildInput& input, const Options& chosen);
+
+    template <Query Q, Counter C>
+    void many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    Footprint footprint() const { return footprint_; }
+
+private:
+    /// Rays of a batch that are traced each for itself.
+    struct Part {
+        std::span<const Ray> rays;
+        std::size_t first = 0;          ///< place of the first one in the batch
+        const Packet* begun = nullptr;  ///< holds their nearest hits so far, if any
+
+        Hit best(std::size_t i) const { return begun ? begun->hit(i) : nothing_yet(rays[i]); }
+    };
+
+    template <Query Q, Counter C>
+    void trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    void trace_alone(Flight& flight, C& count) const;
+    template <Query Q, Counter C>
+    void trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    bool trace_packet(Packet& packet, std::vector<Halt>& halts, C& count) const;
+
+    struct Children;
+    template <Counter C>
+    Children meet(const Flight& flight, const WideNode& node, C& count) const;
+    template <Query Q, Counter C>
+    void visit_leaf(Flight& flight, C& count) const;
+    template <Query Q, Counter C>
+    void visit_leaf(Packet& packet, const WideNode& parent, std::size_t place, C& count) const;
+    void fetch(WideChild child) const;
+
+    PagedVector<WideNode> nodes_;
+    PagedVector<TriangleBlock> blocks_;
+    std::vector<LeafRange> mixed_;  ///< leaves of anything but plain triangles, in `others_`
+    Leaves others_;
+    float padding_ = 0;
+    Precision precision_ = Precision::standard;
+    bool packets_ = true;
+    std::size_t in_flight_ = 1;
+    Footprint footprint_;
+};
+
+template <Query Q, Counter C>
+inline void Bvh8::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch,
+                       C& count) const {
+    const std::span<const Ray> rays = batch.rays;
+    Packet& packet = scratch.packet;
+    std::size_t waiting = 0;  // the first ray that has not been traced
+    for (std::size_t i = 0; packets_ && i + Packet::group <= rays.size(); i += Packet::most) {
+        const std::size_t whole_groups = (rays.size() - i) / Packet::group * Packet::group;
+        const std::size_t together = std::min(Packet::most, whole_groups);
+        if (!packet.load(rays.subspan(i, together))) continue;
+        trace_each<Q>({rays.subspan(waiting, i - waiting), waiting}, answers, scratch, count);
+        if (trace_packet<Q>(packet, scratch.halts, count)) {
+            for (std::size_t j = 0; j < together; ++j) answers.store(i + j, packet.hit(j));
+        } else {
+            trace_each<Q>({rays.subspan(i, together), i, &packet}, answers, scratch, count);
+        }
+        waiting = i + together;
+    }
+    trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
+}
+
+template <Query Q, Counter C>
+inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch,
+                             C& count) const {
+    if (in_flight_ > 1) return trace_in_flight<Q>(part, answers, scratch, count);
+    Flight& flight = scratch.flights.front();
+    for (std::size_t i = 0; i < part.rays.size(); ++i) {
+        flight.start(part.rays[i], part.best(i), i, precision_);
+        trace_alone<Q>(flight, count);
+        answers.store(part.first + i, flight.hit);
+    }
+}
+
+/// Asks for the memory of a child before its turn comes.
+inline void Bvh8::fetch(WideChild child) const {
+    // Numbers, not pointers: only one of the two is an address of ours.
+    const auto node =
+        reinterpret_cast<std::uintptr_t>(nodes_.data()) + child.number() * sizeof(WideNode);
+    const auto block = reinterpret_cast<std::uintptr_t>(blocks_.data()) +
+                       child.first_block() * sizeof(TriangleBlock);
+    const std::uintptr_t line = child.interior() ? node : block;
+    for (std::size_t i = 0; i < sizeof(WideNode); i += 64)
+        __builtin_prefetch(reinterpret_cast<const void*>(line + i));
+}
+
+/// The children of a node that a ray meets, and where it enters them.
+struct Bvh8::Children {
+    using V = simd::Floats<WideNode::width>;
+    V entry;
+    decltype(simd::hn::Le(V{}, V{})) met;
+    std::uint32_t places;  ///< the same, a bit each
+};
+
+/// clip() of box.h for eight boxes at once.
+template <Counter C>
+inline Bvh8::Children Bvh8::meet(const Flight& flight, const WideNode& node, C& count) const {
+    using namespace simd;
+    constexpr auto tag = floats<WideNode::width>;
+    count(Event::step);
+    if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
+    const TestRay& ray = flight.ray;
+    auto entry = hn::Set(tag, ray.t_min), exit = hn::Set(tag, flight.hit.t);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto origin = hn::Set(tag, ray.origin[static_cast<int>(axis)]);
+        const auto inverse = hn::Set(tag, ray.inverse[static_cast<int>(axis)]);
+        const auto near = hn::Load(tag, node.bounds.planes[ray.near[axis]].data());
+        const auto far = hn::Load(tag, node.bounds.planes[ray.far[axis]].data());
+        entry = larger(hn::Mul(hn::Sub(near, origin), inverse), entry);
+        exit = smaller(hn::Mul(hn::Sub(far, origin), inverse), exit);
+    }
+    const auto met = hn::Le(entry, exit);
+    return {entry, met, bits(tag, met)};
+}
+
+template <Query Q, Counter C>
+inline void Bvh8::visit_leaf(Flight& flight, C& count) const {
+    const WideChild leaf = flight.next;
+    count(Event::cell);
+    if (leaf.is_mixed()) [[unlikely]]
+        return others_.template test<Q>(mixed_[leaf.number()], flight.ray, flight.hit, count);
+    for (std::uint32_t i = 0; i < leaf.block_count(); ++i) {
+        test(blocks_[leaf.first_block() + i], flight.ray, padding_, flight.hit, count);
+        if constexpr (Q == Query::occluded)
+            if (flight.hit.primitive != no_primitive) return;
+    }
+}
+
+}  // namespace rayshoot::inline RAYSHOOT_ISA
+
+#include "accel/bvh8/alone.h"
+#include "accel/bvh8/in_flight.h"
+#include "accel/bvh8/together.h"
