@@ -94,7 +94,8 @@ def main():
         document = json.loads(raw.read_text(encoding="utf-8"))
     except (OSError, ValueError) as wrong:
         sys.exit(f"page.py: {raw}: {wrong}")
-    if document.get("schema") != 1 or "rows" not in document:
+    known = isinstance(document, dict) and document.get("schema") == 1
+    if not known or "rows" not in document:
         sys.exit(f"page.py: {raw}: no comparison as `rayshoot bench --out` writes it")
     target = raw.with_name("comparison.html")
     target.write_text(page(document), encoding="utf-8")
