@@ -1,16 +1,10 @@
 #include "accel/bvh/bvh.h"
 
+#include "accel/bvh/boxes.h"
 #include "accel/bvh/build.h"
 
 namespace rayshoot::inline RAYSHOOT_ISA {
 namespace {
-
-std::vector<Box> boxes(const Geometry& geometry) {
-    std::vector<Box> boxes;
-    boxes.reserve(geometry.size());
-    for (std::uint32_t i = 0; i < geometry.size(); ++i) boxes.push_back(geometry.bounds(i));
-    return boxes;
-}
 
 /// Pairs of children in depth-first order, so that a node and its left child are neighbours.
 class Layout {
@@ -78,7 +72,7 @@ std::vector<LeafRange> leaf_ranges(const BinaryTree& tree) {
 
 Bvh::Bvh(const BuildInput& input, const Options& chosen) {
     const BinaryTree tree =
-        build_binned_sah(boxes(input.geometry),
+        build_binned_sah(boxes_of(input.geometry),
                          {.bins = chosen.integer("bins", 2, 256),
                           .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 64)),
                           .deepest = deepest});

@@ -1,5 +1,6 @@
 #include "accel/bvh8/bvh8.h"
 
+#include "accel/bvh/boxes.h"
 #include "accel/bvh/build.h"
 
 #include <algorithm>
@@ -10,13 +11,6 @@ namespace {
 /// Bytes of a tree from which on rays in flight beat one ray at a time: more than a second-level
 /// cache holds.
 constexpr std::uint64_t larger_than_caches = std::uint64_t{8} << 20;
-
-std::vector<Box> boxes(const Geometry& geometry) {
-    std::vector<Box> boxes;
-    boxes.reserve(geometry.size());
-    for (std::uint32_t i = 0; i < geometry.size(); ++i) boxes.push_back(geometry.bounds(i));
-    return boxes;
-}
 
 /// The binary nodes that become the children of one wide node: the one with the largest box is
 /// replaced by its two children until there are eight (Wald, Benthin & Boulos 2008).
@@ -125,7 +119,7 @@ private:
 Bvh8::Bvh8(const BuildInput& input, const Options& chosen)
     : padding_(input.geometry.padding()), precision_(input.geometry.precision()) {
     const BinaryTree tree =
-        build_binned_sah(boxes(input.geometry),
+        build_binned_sah(boxes_of(input.geometry),
                          {.bins = chosen.integer("bins", 2, 256),
                           .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 32)),
                           .deepest = Flight::deepest,

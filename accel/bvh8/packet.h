@@ -5,7 +5,8 @@
 
 #include <tuple>
 
-/// Rays that go nearly the same way, side by side, eight to a group; and the beam around them all.
+/// Rays that go nearly the same way, side by side, a register to a group; and the beam around them
+/// all.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// What bounds all rays of a packet in the slab form of box.h. Rounding is monotone, so whatever
@@ -95,6 +96,11 @@ private:
     static void put(V value, Rows& rows, std::size_t first) {
         simd::hn::Store(value, simd::floats<group>, &rows[first]);
     }
+    struct Slab {
+        V entry, exit;
+    };
+    template <std::size_t Width>
+    Slab clip(std::size_t first, const Boxes<Width>& boxes, std::size_t box, Slab within) const;
     template <Counter C>
     void offer(std::size_t first, Mask inside, const WideSums<V>& sums, std::uint32_t primitive,
                const Box& bounds, C& count);
@@ -179,23 +185,30 @@ inline void Packet::shorten() {
     beam_.nearest = simd::hn::GetLane(simd::hn::MaxOfLanes(simd::floats<group>, farthest));
 }
 
+/// clip() of box.h in every lane.
 template <std::size_t Width>
-inline Packet::Mask Packet::meets(std::size_t g, const Boxes<Width>& boxes, std::size_t box) const {
+inline Packet::Slab Packet::clip(std::size_t first, const Boxes<Width>& boxes, std::size_t box,
+                                 Slab within) const {
     using namespace simd;
-    constexpr auto tag = floats<group>;
-    const std::size_t first = g * group;
     const auto origin = origin_.from(first), inverse = inverse_.from(first);
     const auto at = [&](std::size_t plane, V from, V scale) {
-        return hn::Mul(hn::Sub(hn::Set(tag, boxes.planes[plane][box]), from), scale);
+        return hn::Mul(hn::Sub(hn::Set(floats<group>, boxes.planes[plane][box]), from), scale);
     };
-    V entry = row(t_min_, first), exit = row(t_, first);
+    auto [entry, exit] = within;
     entry = larger(at(beam_.near[0], origin.x, inverse.x), entry);
     exit = smaller(at(beam_.far[0], origin.x, inverse.x), exit);
     entry = larger(at(beam_.near[1], origin.y, inverse.y), entry);
     exit = smaller(at(beam_.far[1], origin.y, inverse.y), exit);
     entry = larger(at(beam_.near[2], origin.z, inverse.z), entry);
     exit = smaller(at(beam_.far[2], origin.z, inverse.z), exit);
-    return hn::Le(entry, exit);
+    return {entry, exit};
+}
+
+template <std::size_t Width>
+inline Packet::Mask Packet::meets(std::size_t g, const Boxes<Width>& boxes, std::size_t box) const {
+    const std::size_t first = g * group;
+    const auto [entry, exit] = clip(first, boxes, box, {row(t_min_, first), row(t_, first)});
+    return simd::hn::Le(entry, exit);
 }
 
 template <Query Q, Counter C>
@@ -241,17 +254,8 @@ inline void Packet::offer(std::size_t first, Mask inside, const WideSums<V>& sum
     constexpr auto word = words<group>;
     Boxes<1> box;
     box.set(0, bounds);
-    const auto origin = origin_.from(first), inverse = inverse_.from(first);
-    const auto at = [&](std::size_t plane, V from, V scale) {
-        return hn::Mul(hn::Sub(hn::Set(tag, box.planes[plane][0]), from), scale);
-    };
-    V entry = hn::Set(tag, -infinity), exit = hn::Set(tag, infinity);
-    entry = larger(at(beam_.near[0], origin.x, inverse.x), entry);
-    exit = smaller(at(beam_.far[0], origin.x, inverse.x), exit);
-    entry = larger(at(beam_.near[1], origin.y, inverse.y), entry);
-    exit = smaller(at(beam_.far[1], origin.y, inverse.y), exit);
-    entry = larger(at(beam_.near[2], origin.z, inverse.z), entry);
-    exit = smaller(at(beam_.far[2], origin.z, inverse.z), exit);
+    const auto [entry, exit] =
+        clip(first, box, 0, {hn::Set(tag, -infinity), hn::Set(tag, infinity)});
     V t = hn::Div(sums.t, sums.det);
     const auto met = hn::And(inside, hn::And(hn::Le(entry, exit), hn::Eq(t, t)));
     if constexpr (C::counts) count(Event::object_hit, hn::CountTrue(tag, met));
