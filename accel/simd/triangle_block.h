@@ -136,6 +136,18 @@ inline BlockAnswer intersect(const TriangleBlock& block, const TestRay& ray, flo
     return answer;
 }
 
+/// What the float test cannot decide.
+template <Counter C>
+[[gnu::noinline]] void test_in_double(const TriangleBlock& block, std::size_t lane,
+                                      const TestRay& ray, float padding, Hit& hit, C& count) {
+    const Triangle triangle = block.triangle(lane);
+    intersect_in_double(triangle, ray, [&](float t, float u, float v) {
+        const bool met =
+            offer(t, u, v, block.primitive[lane], padded(bounds(triangle), padding), ray, hit);
+        if constexpr (C::counts) count(Event::object_hit, met);
+    });
+}
+
 /// Tests every triangle of the block, as Leaves::test would one after the other.
 template <Counter C>
 inline void test(const TriangleBlock& block, const TestRay& ray, float padding, Hit& hit,
@@ -150,15 +162,9 @@ inline void test(const TriangleBlock& block, const TestRay& ray, float padding, 
         accept({answer.t[lane], block.primitive[lane], answer.u[lane], answer.v[lane]}, ray.t_min,
                hit);
     }
-    for (std::uint32_t rest = answer.untrusted; rest != 0; rest &= rest - 1) [[unlikely]] {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-            const Triangle triangle = block.triangle(lane);
-            intersect_in_double(triangle, ray, [&](float t, float u, float v) {
-                const bool met = offer(t, u, v, block.primitive[lane],
-                                       padded(bounds(triangle), padding), ray, hit);
-                if constexpr (C::counts) count(Event::object_hit, met);
-            });
-        }
+    for (std::uint32_t rest = answer.untrusted; rest != 0; rest &= rest - 1) [[unlikely]]
+        test_in_double(block, static_cast<std::size_t>(std::countr_zero(rest)), ray, padding, hit,
+                       count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
