@@ -86,23 +86,11 @@ inline void test(RaysAndBlocks& pairs, std::size_t size, float padding, C& count
 
     const Vectors<V> inverse =
         quads::vectors(of_rays([](const TestRay& ray) { return &ray.inverse.x; }));
-    const std::array<V, 6> planes = padded_planes(a, b, c, padding);
-    V entry = hn::Set(tag, -infinity), exit = hn::Set(tag, infinity);
-    const auto clip = [&](V from, V scale, V along, V lo, V hi) {
-        const auto descending = hn::MaskFromVec(hn::BitCast(tag, hn::BroadcastSignBit(hn::BitCast(hn::RebindToSigned<decltype(tag)>(), along))));
-        const V near = hn::IfThenElse(descending, hi, lo), far = hn::IfThenElse(descending, lo, hi);
-        entry = larger(hn::Mul(hn::Sub(near, from), scale), entry);
-        exit = smaller(hn::Mul(hn::Sub(far, from), scale), exit);
-    };
-    clip(origin.x, inverse.x, direction.x, planes[0], planes[3]);
-    clip(origin.y, inverse.y, direction.y, planes[1], planes[4]);
-    clip(origin.z, inverse.z, direction.z, planes[2], planes[5]);
-    const V quotient = hn::Div(sums.t, sums.det);
-    const auto met = hn::And(hn::And(trusted, sums.inside()),
-                             hn::And(hn::Le(entry, exit), hn::Eq(quotient, quotient)));
+    const auto hit = clamped<V>({hn::Div(sums.t, sums.det), hn::And(trusted, sums.inside())}, a,
+                                triangle_bounds(a, b, c), origin, inverse, padding);
+    const auto [t, met] = hit;
 
     // The nearest that is met: of equally near ones the one with the smallest number.
-    const V t = clamp(quotient, entry, exit);
     const V limits = of_rays([](const TestRay& ray) { return &ray.direction_size; });
     const auto eligible = hn::And(met, hn::Gt(t, hn::Broadcast<1>(limits)));
     const V nearest = quads::least(hn::IfThenElse(eligible, t, hn::Set(tag, infinity)));
