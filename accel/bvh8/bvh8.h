@@ -21,8 +21,7 @@ public:
         OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
         OptionInfo{"bins", "2 to 256", "16", "bins per axis that a split is chosen from"},
         OptionInfo{"packets", "on|off", "on", "coherent rays go together, up to 64"},
-        OptionInfo{"flight", "0 to 64", "0",
-                   "incoherent rays in flight; 0: 1 or 16, by the size of the tree"}};
+        OptionInfo{"flight", "1 to 64", "16", "incoherent rays on their way at once"}};
     static constexpr std::array<std::string_view, 4> configurations{
         "bvh8", "bvh8:packets=off,flight=1", "bvh8:packets=off,flight=16", "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
@@ -75,24 +74,15 @@ private:
     template <Query Q, Counter C>
     void visit_leaf(Flight& flight, C& count) const;
     template <Query Q, Counter C>
-    void visit_leaves(Departures& departures, Flight* flights, C& count) const;
+    void visit_triangles(Departures& departures, Flight* flights, C& count) const;
     template <Query Q, Counter C>
     void visit_leaf(Packet& packet, const WideNode& parent, std::size_t place, C& count) const;
     void fetch(WideChild child) const;
-    const WideNode& node_at(WideChild child) const {
-        return *reinterpret_cast<const WideNode*>(firsts_[0] + child.offset());
-    }
-    const TriangleBlock* block_at(WideChild leaf) const {
-        return reinterpret_cast<const TriangleBlock*>(firsts_[1] + leaf.offset());
-    }
+    const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
 
     PagedVector<WideNode> nodes_;
-    PagedVector<TriangleBlock> blocks_;
-    std::array<const std::byte*, 2> firsts_;  ///< where nodes and blocks begin
-    std::vector<LeafRange> mixed_;  ///< leaves of anything but plain triangles, in `others_`
-    Leaves others_;
-    float padding_ = 0;
-    Precision precision_ = Precision::standard;
+    PackedLeaves leaves_;
+    std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
     std::size_t in_flight_ = 1;
     Footprint footprint_;
@@ -125,15 +115,19 @@ inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scr
     if (in_flight_ > 1) return trace_in_flight<Q>(part, answers, scratch, count);
     Flight& flight = scratch.flights.front();
     for (std::size_t i = 0; i < part.rays.size(); ++i) {
-        flight.start(part.rays[i], part.best(i), i, precision_);
+        flight.start(part.rays[i], part.best(i), i, leaves_.precision());
         trace_alone<Q>(flight, count);
         answers.store(part.first + i, flight.hit);
     }
 }
 
-/// Asks for the memory of a child before its turn comes.
+/// Asks for the memory of a child before its turn comes. Which kind it is cannot be foretold, so
+/// the place of either is computed.
 inline void Bvh8::fetch(WideChild child) const {
-    const std::byte* const first = firsts_[child.interior() ? 0 : 1] + child.offset();
+    const std::size_t node = std::size_t{child.number()} * sizeof(WideNode);
+    const std::size_t block = PackedLeaves::offset(child.leaf());
+    const std::byte* const first =
+        firsts_[child.interior() ? 0 : 1] + simd::select(child.interior(), node, block);
     for (std::size_t i = 0; i < sizeof(WideNode); i += 64) __builtin_prefetch(first + i);
 }
 
@@ -169,15 +163,8 @@ inline Bvh8::Children Bvh8::meet(const Flight& flight, const WideNode& node, C& 
 
 template <Query Q, Counter C>
 inline void Bvh8::visit_leaf(Flight& flight, C& count) const {
-    const WideChild leaf = flight.next;
     count(Event::cell);
-    if (leaf.is_mixed()) [[unlikely]]
-        return others_.template test<Q>(mixed_[leaf.mixed_number()], flight.ray, flight.hit, count);
-    for (std::uint32_t i = 0; i < leaf.block_count(); ++i) {
-        test(block_at(leaf)[i], flight.ray, padding_, flight.hit, count);
-        if constexpr (Q == Query::occluded)
-            if (flight.hit.primitive != no_primitive) return;
-    }
+    leaves_.template test<Q>(flight.next.leaf(), flight.ray, flight.hit, count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -50,7 +50,7 @@ template <Query Q, Counter C>
 inline void Bvh8::visit_leaf(Packet& packet, const WideNode& parent, std::size_t place,
                              C& count) const {
     using namespace simd;
-    const WideChild leaf = parent.child(place);
+    const PackedLeaf leaf = parent.child(place).leaf();
     for (std::size_t group = 0; group < packet.groups(); ++group) {
         const Packet::Mask active = packet.meets(group, parent.bounds, place);
         if constexpr (C::counts) {
@@ -59,7 +59,8 @@ inline void Bvh8::visit_leaf(Packet& packet, const WideNode& parent, std::size_t
         }
         if (hn::AllFalse(floats<Packet::group>, active)) continue;
         for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-            packet.test<Q>(group, active, block_at(leaf)[i], padding_, count);
+            packet.test<Q>(group, active, leaves_.triangles(leaf.first_block() + i),
+                           leaves_.padding(), count);
     }
     packet.shorten();
 }

@@ -59,6 +59,12 @@ inline auto negative(V v) {
     return hn::RebindMask(tag, hn::Lt(hn::BitCast(number, v), hn::Zero(number)));
 }
 
+/// if_set ? a : b, and no branch, whatever the compiler thinks of it.
+inline std::uint64_t select(bool if_set, std::uint64_t a, std::uint64_t b) {
+    const std::uint64_t all = 0 - static_cast<std::uint64_t>(if_set);
+    return (a & all) | (b & ~all);
+}
+
 /// Whether the sign bit is set.
 template <class V>
 inline auto is_negative(V v) {
