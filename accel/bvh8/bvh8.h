@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/bvh8/flight.h"
+#include "accel/bvh8/halts.h"
 #include "accel/bvh8/packet.h"
 #include "accel/core/session.h"
 
@@ -26,19 +26,12 @@ public:
         "bvh8", "bvh8:packets=off,flight=1", "bvh8:packets=off,flight=16", "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
 
-    /// A child that a packet is still to visit, and where its beam enters it.
-    struct Halt {
-        std::uint32_t node, place;
-        float entry;
-    };
     struct Scratch {
         std::vector<Flight> flights = std::vector<Flight>(most_flights);
         Packet packet;
-        std::vector<Halt> halts;
+        Halts halts;
 
-        std::size_t bytes() const {
-            return flights.size() * sizeof(Flight) + halts.capacity() * sizeof(Halt);
-        }
+        std::size_t bytes() const { return flights.size() * sizeof(Flight); }
     };
 
     Bvh8(const BuildInput& input, const Options& chosen);
@@ -48,13 +41,16 @@ public:
     Footprint footprint() const { return footprint_; }
 
 private:
-    /// Rays of a batch that are traced each for itself.
+    /// Some rays of a batch.
     struct Part {
         std::span<const Ray> rays;
-        std::size_t first = 0;          ///< place of the first one in the batch
-        const Packet* begun = nullptr;  ///< holds their nearest hits so far, if any
+        std::size_t first = 0;  ///< place of the first one in the batch
+        /// Where a packet has brought them so far, if one has.
+        const Packet* packet = nullptr;
+        std::size_t first_of_packet = 0;
+        std::span<const Halt> left{};
 
-        Hit best(std::size_t i) const { return begun ? begun->hit(i) : nothing_yet(rays[i]); }
+        void start(Flight& flight, std::size_t i, Precision precision) const;
     };
 
     template <Query Q, Counter C>
@@ -64,7 +60,12 @@ private:
     template <Query Q, Counter C>
     void trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
-    bool trace_packet(Packet& packet, std::vector<Halt>& halts, C& count) const;
+    void trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    bool follow(Packet& packet, Packet::Section section, int most_steps, Halts& halts,
+                C& count) const;
+    template <Counter C>
+    void step(const Beam& beam, const WideNode& node, Halts& halts, C& count) const;
 
     struct Children;
     template <Counter C>
@@ -76,7 +77,7 @@ private:
     template <Query Q, Counter C>
     void visit_triangles(Departures& departures, Flight* flights, C& count) const;
     template <Query Q, Counter C>
-    void visit_leaf(Packet& packet, const WideNode& parent, std::size_t place, C& count) const;
+    void visit_leaf(Packet& packet, Packet::Section section, const Halt& halt, C& count) const;
     void fetch(WideChild child) const;
     const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
 
@@ -84,6 +85,7 @@ private:
     PackedLeaves leaves_;
     std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
+    int wide_steps_ = 12, narrow_steps_ = 40;
     std::size_t in_flight_ = 1;
     Footprint footprint_;
 };
@@ -99,14 +101,17 @@ inline void Bvh8::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scra
         const std::size_t together = std::min(Packet::most, whole_groups);
         if (!packet.load(rays.subspan(i, together))) continue;
         trace_each<Q>({rays.subspan(waiting, i - waiting), waiting}, answers, scratch, count);
-        if (trace_packet<Q>(packet, scratch.halts, count)) {
-            for (std::size_t j = 0; j < together; ++j) answers.store(i + j, packet.hit(j));
-        } else {
-            trace_each<Q>({rays.subspan(i, together), i, &packet}, answers, scratch, count);
-        }
+        trace_together<Q>({rays.subspan(i, together), i}, answers, scratch, count);
         waiting = i + together;
     }
     trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
+}
+
+inline void Bvh8::Part::start(Flight& flight, std::size_t i, Precision precision) const {
+    flight.start(rays[i], packet ? packet->hit(first_of_packet + i) : nothing_yet(rays[i]), i,
+                 precision);
+    for (const Halt& halt : left) flight.stack.push(halt.child, halt.entry);
+    if (!left.empty()) flight.pop();
 }
 
 template <Query Q, Counter C>
@@ -115,7 +120,7 @@ inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scr
     if (in_flight_ > 1) return trace_in_flight<Q>(part, answers, scratch, count);
     Flight& flight = scratch.flights.front();
     for (std::size_t i = 0; i < part.rays.size(); ++i) {
-        flight.start(part.rays[i], part.best(i), i, leaves_.precision());
+        part.start(flight, i, leaves_.precision());
         trace_alone<Q>(flight, count);
         answers.store(part.first + i, flight.hit);
     }

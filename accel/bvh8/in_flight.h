@@ -75,8 +75,7 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
     std::size_t started = 0;
     const auto start = [&](std::size_t number) {
         if (started == part.rays.size()) return;
-        flights[number].start(part.rays[started], part.best(started), started,
-                              leaves_.precision());
+        part.start(flights[number], started, leaves_.precision());
         departures.add(number, flights[number].next);
         ++started;
     };
