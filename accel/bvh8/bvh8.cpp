@@ -114,8 +114,6 @@ Bvh8::Bvh8(const BuildInput& input, const Options& chosen) {
                   .bytes = nodes_.size() * sizeof(WideNode) + leaves_.bytes()};
     packets_ = chosen.flag("packets") && leaves_.only_triangles() &&
                input.geometry.precision() == Precision::standard;
-    if (getenv("WS")) wide_steps_ = atoi(getenv("WS"));
-    if (getenv("NS")) narrow_steps_ = atoi(getenv("NS"));
     in_flight_ = static_cast<std::size_t>(chosen.integer("flight", 1, most_flights));
 }
 

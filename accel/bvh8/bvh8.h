@@ -48,11 +48,11 @@ private:
         /// Where a packet has brought them so far, if one has.
         const Packet* packet = nullptr;
         std::size_t first_of_packet = 0;
-        std::span<const Halt> left{};
+        const Halts* left = nullptr;
 
-        void start(Flight& flight, std::size_t i, Precision precision) const;
     };
 
+    void start(Flight& flight, const Part& part, std::size_t i) const;
     template <Query Q, Counter C>
     void trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
@@ -65,7 +65,7 @@ private:
     bool follow(Packet& packet, Packet::Section section, int most_steps, Halts& halts,
                 C& count) const;
     template <Counter C>
-    void step(const Beam& beam, const WideNode& node, Halts& halts, C& count) const;
+    void step(const Beam& beam, std::uint32_t number, Halts& halts, C& count) const;
 
     struct Children;
     template <Counter C>
@@ -107,11 +107,16 @@ inline void Bvh8::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scra
     trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
 }
 
-inline void Bvh8::Part::start(Flight& flight, std::size_t i, Precision precision) const {
-    flight.start(rays[i], packet ? packet->hit(first_of_packet + i) : nothing_yet(rays[i]), i,
-                 precision);
-    for (const Halt& halt : left) flight.stack.push(halt.child, halt.entry);
-    if (!left.empty()) flight.pop();
+inline void Bvh8::start(Flight& flight, const Part& part, std::size_t i) const {
+    const Ray& ray = part.rays[i];
+    flight.start(ray, part.packet ? part.packet->hit(part.first_of_packet + i) : nothing_yet(ray),
+                 i, leaves_.precision());
+    if (part.left == nullptr) return;
+    for (std::size_t j = 0; j < part.left->size(); ++j) {
+        const auto [node, place, entry] = (*part.left)[j];
+        flight.stack.push(nodes_[node].child(place), entry);
+    }
+    flight.pop();
 }
 
 template <Query Q, Counter C>
@@ -120,15 +125,16 @@ inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scr
     if (in_flight_ > 1) return trace_in_flight<Q>(part, answers, scratch, count);
     Flight& flight = scratch.flights.front();
     for (std::size_t i = 0; i < part.rays.size(); ++i) {
-        part.start(flight, i, leaves_.precision());
+        start(flight, part, i);
         trace_alone<Q>(flight, count);
         answers.store(part.first + i, flight.hit);
     }
 }
 
 /// Asks for the memory of a child before its turn comes. Which kind it is cannot be foretold, so
-/// the place of either is computed.
-inline void Bvh8::fetch(WideChild child) const {
+/// the place of either is computed. Inlined in any case: g++ 12 takes a function that does nothing
+/// but this for one without an effect, and drops its calls.
+[[gnu::always_inline]] inline void Bvh8::fetch(WideChild child) const {
     const std::size_t node = std::size_t{child.number()} * sizeof(WideNode);
     const std::size_t block = PackedLeaves::offset(child.leaf());
     const std::byte* const first =
@@ -140,7 +146,7 @@ inline void Bvh8::fetch(WideChild child) const {
 struct Bvh8::Children {
     using V = simd::Floats<WideNode::width>;
     V entry;
-    decltype(simd::hn::Le(V{}, V{})) met;
+    Places met;
     std::uint32_t places;  ///< the same, a bit each
 };
 

@@ -18,7 +18,8 @@ inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch&
             answers.store(part.first + i, packet.hit(i));
     };
     const Packet::Section all = packet.all();
-    halts.start({.child = WideChild::node(0)});
+    halts.clear();
+    step(packet.beam(all), 0, halts, count);
     if (follow<Q>(packet, all, wide_steps_, halts, count)) return store(all);
     halts.set_aside();
     for (std::size_t first = 0; first < all.count; first += narrow) {
@@ -30,7 +31,7 @@ inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch&
             const std::span<const Ray> rays =
                 part.rays.subspan(section.first_ray(), section.end_ray() - section.first_ray());
             trace_each<Q>({rays, part.first + section.first_ray(), &packet, section.first_ray(),
-                           halts.left()},
+                           &halts},
                           answers, scratch, count);
         }
     }
@@ -42,36 +43,37 @@ inline bool Bvh8::follow(Packet& packet, Packet::Section section, int most_steps
                          C& count) const {
     Beam beam = packet.beam(section);
     while (!halts.empty()) {
-        const Halt halt = halts.pop();
-        if (halt.entry > beam.nearest) continue;
-        if (!halt.child.interior()) {
+        const Halt halt = halts.top();
+        if (halt.entry > beam.nearest) {
+            halts.pop();
+            continue;
+        }
+        const WideChild child = nodes_[halt.node].child(halt.place);
+        if (!child.interior()) {
+            halts.pop();
             visit_leaf<Q>(packet, section, halt, count);
             beam.nearest = packet.reach(section);
         } else if (most_steps-- > 0) {
-            step(beam, node_at(halt.child), halts, count);
+            halts.pop();
+            step(beam, child.number(), halts, count);
         } else {
-            halts.push(halt);
             return false;
         }
     }
     return true;
 }
 
-/// The children that the beam meets become halts, the nearest one on top.
+/// The children that the beam meets become halts.
 template <Counter C>
-inline void Bvh8::step(const Beam& beam, const WideNode& node, Halts& halts, C& count) const {
-    using namespace simd;
-    constexpr auto tag = floats<WideNode::width>;
+inline void Bvh8::step(const Beam& beam, std::uint32_t number, Halts& halts, C& count) const {
+    const WideNode& node = nodes_[number];
     count(Event::step);
     if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
     const auto [entry, exit] = beam.clip(node.bounds);
-    alignas(32) std::array<float, WideNode::width> entries;
-    hn::Store(entry, tag, entries.data());
-    const std::size_t first = halts.size();
-    for (std::uint32_t rest = bits(tag, hn::Le(entry, exit)); rest != 0; rest &= rest - 1) {
-        const auto place = static_cast<std::uint32_t>(std::countr_zero(rest));
-        halts.insert({node.child(place), &node, place, entries[place]}, first);
-        fetch(node.child(place));
+    halts.push(number, simd::hn::Le(entry, exit), entry);
+    if (halts.size() > 1) {
+        const Halt then = halts[halts.size() - 2];
+        fetch(nodes_[then.node].child(then.place));
     }
 }
 
@@ -79,9 +81,10 @@ template <Query Q, Counter C>
 inline void Bvh8::visit_leaf(Packet& packet, Packet::Section section, const Halt& halt,
                              C& count) const {
     using namespace simd;
-    const PackedLeaf leaf = halt.child.leaf();
+    const WideNode& parent = nodes_[halt.node];
+    const PackedLeaf leaf = parent.child(halt.place).leaf();
     for (std::size_t group = section.first; group < section.end(); ++group) {
-        const Packet::Mask active = packet.meets(group, halt.parent->bounds, halt.place);
+        const Packet::Mask active = packet.meets(group, parent.bounds, halt.place);
         if constexpr (C::counts) {
             count(Event::bounding_volume_test, Packet::group);
             count(Event::cell, hn::CountTrue(floats<Packet::group>, active));
