@@ -38,33 +38,42 @@ inline void go_down(Flight& flight) {
         simd::select(places != 0, crossing.node->child(nearest).bits(), left_behind.bits())));
 }
 
-/// Flights, a bit each, by what they come to next. Not lists: what is read from a list would have
-/// to wait until it is known that nothing writes there.
-struct Departures {
-    bool batched;  ///< leaves of triangles are tested for several flights at once
-    std::uint64_t to_node = 0, to_triangles = 0, to_leaf = 0, to_end = 0;
-
-    bool any() const { return (to_node | to_triangles | to_leaf | to_end) != 0; }
-    void add(std::size_t flight, WideChild next) {
-        const std::uint64_t leaf = !next.interior(), end = next.is_none();
-        const std::uint64_t triangles = leaf & next.leaf().only_triangles() & batched;
-        to_node |= (leaf ^ 1) << flight;
-        to_triangles |= triangles << flight;
-        to_leaf |= (leaf ^ triangles ^ end) << flight;
-        to_end |= end << flight;
-    }
-};
-
 /// Calls visit(number) for each number in a set.
 inline void for_each(std::uint64_t set, auto&& visit) {
     for (; set != 0; set &= set - 1) visit(static_cast<std::size_t>(std::countr_zero(set)));
 }
 
+/// Flights, a bit each, by what they come to next. Not lists: what is read from a list would have
+/// to wait until it is known that nothing writes there.
+struct Departures {
+    std::uint64_t to_node = 0, to_leaf = 0;
+    /// Of leaves: those of triangles that are tested for several flights at once, the others, and
+    /// where there is none left.
+    std::uint64_t to_triangles = 0, to_others = 0, to_end = 0;
+
+    bool any() const { return (to_node | to_leaf | to_triangles | to_others | to_end) != 0; }
+    void add(std::size_t flight, WideChild next) {
+        const std::uint64_t leaf = !next.interior();
+        to_node |= (leaf ^ 1) << flight;
+        to_leaf |= leaf << flight;
+    }
+    void sort_leaves(const Flight* flights, bool batched) {
+        for_each(std::exchange(to_leaf, 0), [&](std::size_t flight) {
+            const WideChild next = flights[flight].next;
+            const std::uint64_t end = next.is_none();
+            const std::uint64_t triangles = next.leaf().only_triangles() & batched;
+            to_triangles |= triangles << flight;
+            to_others |= (1 ^ triangles ^ end) << flight;
+            to_end |= end << flight;
+        });
+    }
+};
+
 template <Query Q, Counter C>
 inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch,
                                   C& count) const {
     Flight* const flights = scratch.flights.data();
-    Departures departures{leaves_.precision() == Precision::standard};
+    Departures departures;
     std::size_t started = 0;
     const auto start_next = [&](std::size_t number) {
         if (started == part.rays.size()) return;
@@ -86,8 +95,9 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
             go_down(flights[number]);
             go_on(number);
         });
+        departures.sort_leaves(flights, leaves_.precision() == Precision::standard);
         visit_triangles<Q>(departures, flights, count);
-        for_each(std::exchange(departures.to_leaf, 0), [&](std::size_t number) {
+        for_each(std::exchange(departures.to_others, 0), [&](std::size_t number) {
             Flight& flight = flights[number];
             visit_leaf<Q>(flight, count);
             flight.pop();
