@@ -83,8 +83,9 @@ private:
         const auto none = all(ea, 0);
         const auto minus = hn::Or(hn::Or(hn::Lt(ea, none), hn::Lt(eb, none)), hn::Lt(ec, none));
         const auto plus = hn::Or(hn::Or(hn::Gt(ea, none), hn::Gt(eb, none)), hn::Gt(ec, none));
+        // Zero only where all three edge functions are: then t is 0 / 0.
         const auto det = hn::Add(hn::Add(ea, eb), ec);
-        const auto missed = hn::Or(hn::And(minus, plus), hn::Eq(det, none));
+        const auto missed = hn::And(minus, plus);
         const auto depth = hn::MulAdd(ea, a.z, hn::MulAdd(eb, b.z, hn::Mul(ec, c.z)));
         const auto t = hn::Div(depth, hn::Mul(det, as_doubles<Part>(direction_z)));
         const hn::Rebind<float, hn::DFromV<decltype(t)>> tag;

@@ -13,7 +13,7 @@ namespace rayshoot::cases {
 /// What a leaf is made of.
 enum class Mixture { triangles, spheres, both, anything };
 
-/// A scene of one leaf: apart, coincident, sharing corners; of one size between 2^-50 and 2^50.
+/// A scene of one leaf: apart, coincident, sharing corners; of one size between 2^-70 and 2^70.
 struct HardLeaf {
     Geometry geometry;
     std::vector<std::uint32_t> members;
@@ -22,7 +22,8 @@ struct HardLeaf {
 };
 
 /// Through or past a primitive that is not a Mover: at corners and edges, tangent, from its planes,
-/// along the axes, from 3e6 sizes away, with a direction of any length and zeros of either sign.
+/// along the axes and diagonals, from 3e6 sizes away, with a direction of any length and zeros of
+/// either sign.
 Ray hard_ray(const Geometry& geometry, std::uint32_t primitive, Random& random);
 
 /// The same ray whose interval ends at, just before or just behind a hit, or starts there.

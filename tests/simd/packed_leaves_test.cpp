@@ -171,6 +171,28 @@ TEST(PackedLeaf, the_last_one_of_each_kind_still_fits) {
     EXPECT_EQ(last_mixed.number(), PackedLeaf::most_mixed - 1);
 }
 
+TEST(PackedLeaves, of_several_kinds_stop_after_the_kind_that_occludes) {
+    GeometryBuilder builder;
+    builder.add_frustum({vec3(0, 0, -1), 2, vec3(0, 0, 1), 2});
+    builder.add_sphere({vec3(0), 2});
+    builder.add_triangle(vec3(0, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1));
+    const Geometry geometry = std::move(builder).build();
+    LeafPacker packer(geometry);
+    const PackedLeaf leaf = packer.add(numbers(0, 3));
+    const PackedLeaves leaves = std::move(packer).build();
+    const auto tests = [&](const vec3& origin) {
+        const Answer answer =
+            cases::ask({origin, 0, vec3(1, 0, 0)}, [&](const Ray& r, Hit& hit, auto& count) {
+                leaves.test<Query::occluded>(leaf, leaves.prepared(r), hit, count);
+            });
+        EXPECT_NE(answer.hit.primitive, no_primitive);
+        return answer.counts[Event::object_test];
+    };
+    EXPECT_EQ(tests(vec3(-9, 0.25f, 0.25f)), 1u);
+    EXPECT_EQ(tests(vec3(-9, -0.25f, 0.25f)), 2u);
+    EXPECT_EQ(tests(vec3(-9, 1.99f, 0.9f)), 3u);
+}
+
 TEST(PackedLeaves, of_nothing_answer_nothing) {
     const Geometry geometry = GeometryBuilder().build();
     LeafPacker packer(geometry);

@@ -10,28 +10,46 @@ using cases::Answer;
 using cases::HardLeaf;
 using cases::Mixture;
 
+/// The first `size` spheres of a geometry, as one block.
+SphereBlock block_of(const Geometry& geometry, std::uint32_t size) {
+    SphereBlock block;
+    for (std::uint32_t i = 0; i < size; ++i) block.set(i, geometry.sphere(i), i);
+    return block;
+}
+
+/// Gives back the hit.
+Hit expect_like_the_shared_test(const Geometry& geometry, std::uint32_t size, const Ray& ray) {
+    const Answer wanted = cases::ask(ray, [&](const Ray& r, Hit& hit, auto& count) {
+        for (std::uint32_t i = 0; i < size; ++i)
+            test_primitive<Query::closest>(geometry, i, r, hit, count);
+    });
+    const SphereBlock block = block_of(geometry, size);
+    const Answer found = cases::ask(ray, [&](const Ray& r, Hit& hit, auto& count) {
+        test(block, TestRay(r, geometry.precision()), geometry.padding(), hit, count);
+    });
+    EXPECT_TRUE(cases::same_bits(found.hit, wanted.hit)) << cases::print(ray);
+    EXPECT_EQ(found.counts, wanted.counts) << cases::print(ray);
+    return found.hit;
+}
+
 TEST(SphereBlock, answers_like_the_shared_test_with_the_same_counts) {
     cases::Random random(1);
     std::size_t hits = 0;
     for (int i = 0; i < 20000; ++i) {
         const HardLeaf hard(Mixture::spheres, Precision::standard, random);
-        const Geometry& geometry = hard.geometry;
-        const std::uint32_t size = std::min(geometry.size(), 8u);
-        SphereBlock block;
-        for (std::uint32_t j = 0; j < size; ++j) block.set(j, geometry.sphere(j), j);
-        const Ray ray = cases::hard_ray(geometry, random.below(size), random);
-        const Answer wanted = cases::ask(ray, [&](const Ray& r, Hit& hit, auto& count) {
-            for (std::uint32_t j = 0; j < size; ++j)
-                test_primitive<Query::closest>(geometry, j, r, hit, count);
-        });
-        const Answer found = cases::ask(ray, [&](const Ray& r, Hit& hit, auto& count) {
-            test(block, TestRay(r, Precision::standard), geometry.padding(), hit, count);
-        });
-        ASSERT_TRUE(cases::same_bits(found.hit, wanted.hit)) << cases::print(ray);
-        ASSERT_EQ(found.counts, wanted.counts) << cases::print(ray);
-        hits += found.hit.primitive != no_primitive;
+        const std::uint32_t size = std::min(hard.geometry.size(), 8u);
+        const Ray ray = cases::hard_ray(hard.geometry, random.below(size), random);
+        const Hit hit = expect_like_the_shared_test(hard.geometry, size, ray);
+        hits += hit.primitive != no_primitive;
     }
     EXPECT_GT(hits, 5000u);
+}
+
+/// The first root is 0 / 0, the second 0.
+TEST(SphereBlock, is_hit_by_a_tangent_that_starts_where_it_touches) {
+    const Geometry geometry = cases::alone(Sphere{vec3(0), 1});
+    const Ray ray{vec3(1, 0, 0), -1, vec3(0, 1, 0)};
+    EXPECT_EQ(expect_like_the_shared_test(geometry, 1, ray), (Hit{0, 0, 0, 0}));
 }
 
 TEST(SphereBlock, gives_back_the_spheres_it_was_given) {
