@@ -122,11 +122,13 @@ Bvh8::Bvh8(const BuildInput& input, const Options& chosen)
         build_binned_sah(boxes_of(input.geometry),
                          {.bins = chosen.integer("bins", 2, 256),
                           .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 32)),
-                          .deepest = Flight::deepest,
+                          .deepest = Stack::deepest,
                           .test_width = TriangleBlock::width});
     Layout layout(input.geometry, tree);
     nodes_ = std::move(layout.nodes);
     blocks_ = std::move(layout.blocks);
+    firsts_ = {reinterpret_cast<const std::byte*>(nodes_.data()),
+               reinterpret_cast<const std::byte*>(blocks_.data())};
     mixed_ = std::move(layout.mixed);
     others_ = Leaves(input.geometry, layout.order, mixed_);
     footprint_ = {.interior = nodes_.size(),

@@ -9,6 +9,8 @@
 /// that one ray's wait for memory is the others' time. See README.md.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
+struct Departures;
+
 class Bvh8 {
 public:
     static constexpr std::string_view name = "bvh8";
@@ -68,14 +70,25 @@ private:
     struct Children;
     template <Counter C>
     Children meet(const Flight& flight, const WideNode& node, C& count) const;
+    template <Counter C>
+    void cross(Flight& flight, C& count) const;
     template <Query Q, Counter C>
     void visit_leaf(Flight& flight, C& count) const;
     template <Query Q, Counter C>
+    void visit_leaves(Departures& departures, Flight* flights, C& count) const;
+    template <Query Q, Counter C>
     void visit_leaf(Packet& packet, const WideNode& parent, std::size_t place, C& count) const;
     void fetch(WideChild child) const;
+    const WideNode& node_at(WideChild child) const {
+        return *reinterpret_cast<const WideNode*>(firsts_[0] + child.offset());
+    }
+    const TriangleBlock* block_at(WideChild leaf) const {
+        return reinterpret_cast<const TriangleBlock*>(firsts_[1] + leaf.offset());
+    }
 
     PagedVector<WideNode> nodes_;
     PagedVector<TriangleBlock> blocks_;
+    std::array<const std::byte*, 2> firsts_;  ///< where nodes and blocks begin
     std::vector<LeafRange> mixed_;  ///< leaves of anything but plain triangles, in `others_`
     Leaves others_;
     float padding_ = 0;
@@ -120,14 +133,8 @@ inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scr
 
 /// Asks for the memory of a child before its turn comes.
 inline void Bvh8::fetch(WideChild child) const {
-    // Numbers, not pointers: only one of the two is an address of ours.
-    const auto node =
-        reinterpret_cast<std::uintptr_t>(nodes_.data()) + child.number() * sizeof(WideNode);
-    const auto block = reinterpret_cast<std::uintptr_t>(blocks_.data()) +
-                       child.first_block() * sizeof(TriangleBlock);
-    const std::uintptr_t line = child.interior() ? node : block;
-    for (std::size_t i = 0; i < sizeof(WideNode); i += 64)
-        __builtin_prefetch(reinterpret_cast<const void*>(line + i));
+    const std::byte* const first = firsts_[child.interior() ? 0 : 1] + child.offset();
+    for (std::size_t i = 0; i < sizeof(WideNode); i += 64) __builtin_prefetch(first + i);
 }
 
 /// The children of a node that a ray meets, and where it enters them.
@@ -145,15 +152,16 @@ inline Bvh8::Children Bvh8::meet(const Flight& flight, const WideNode& node, C& 
     constexpr auto tag = floats<WideNode::width>;
     count(Event::step);
     if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
-    const TestRay& ray = flight.ray;
-    auto entry = hn::Set(tag, ray.t_min), exit = hn::Set(tag, flight.hit.t);
+    auto entry = hn::Set(tag, flight.ray.t_min), exit = hn::Set(tag, flight.hit.t);
+    const float* const planes = node.bounds.planes[0].data();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto origin = hn::Set(tag, ray.origin[static_cast<int>(axis)]);
-        const auto inverse = hn::Set(tag, ray.inverse[static_cast<int>(axis)]);
-        const auto near = hn::Load(tag, node.bounds.planes[ray.near[axis]].data());
-        const auto far = hn::Load(tag, node.bounds.planes[ray.far[axis]].data());
-        entry = larger(hn::Mul(hn::Sub(near, origin), inverse), entry);
-        exit = smaller(hn::Mul(hn::Sub(far, origin), inverse), exit);
+        // Both factors negated: the same product, and the planes can stay in memory.
+        const auto origin = hn::Set(tag, flight.origin[static_cast<int>(axis)]);
+        const auto towards = hn::Set(tag, flight.towards[static_cast<int>(axis)]);
+        const auto near = hn::Load(tag, planes + flight.near[axis]);
+        const auto far = hn::Load(tag, planes + flight.far[axis]);
+        entry = larger(hn::Mul(hn::Sub(origin, near), towards), entry);
+        exit = smaller(hn::Mul(hn::Sub(origin, far), towards), exit);
     }
     const auto met = hn::Le(entry, exit);
     return {entry, met, bits(tag, met)};
@@ -164,9 +172,9 @@ inline void Bvh8::visit_leaf(Flight& flight, C& count) const {
     const WideChild leaf = flight.next;
     count(Event::cell);
     if (leaf.is_mixed()) [[unlikely]]
-        return others_.template test<Q>(mixed_[leaf.number()], flight.ray, flight.hit, count);
+        return others_.template test<Q>(mixed_[leaf.mixed_number()], flight.ray, flight.hit, count);
     for (std::uint32_t i = 0; i < leaf.block_count(); ++i) {
-        test(blocks_[leaf.first_block() + i], flight.ray, padding_, flight.hit, count);
+        test(block_at(leaf)[i], flight.ray, padding_, flight.hit, count);
         if constexpr (Q == Query::occluded)
             if (flight.hit.primitive != no_primitive) return;
     }

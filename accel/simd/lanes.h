@@ -59,6 +59,14 @@ inline auto negative(V v) {
     return hn::RebindMask(tag, hn::Lt(hn::BitCast(number, v), hn::Zero(number)));
 }
 
+/// Whether the sign bit is set.
+template <class V>
+inline auto is_negative(V v) {
+    constexpr hn::DFromV<V> tag;
+    constexpr hn::RebindToSigned<hn::DFromV<V>> word;
+    return hn::RebindMask(tag, hn::Lt(hn::BitCast(word, v), hn::Zero(word)));
+}
+
 /// float_below of neighbour.h.
 template <class V>
 inline V below(V x) {

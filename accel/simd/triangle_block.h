@@ -111,14 +111,26 @@ inline BlockAnswer intersect(const TriangleBlock& block, const TestRay& ray, flo
     answer.met = bits(tag, inside);
     answer.untrusted = bits(tag, hn::AndNot(trusted, live_lanes(tag, block.primitive)));
     if (answer.met == 0) return answer;
-    const auto within = clip(everywhere<TriangleBlock::width>(static_cast<const SlabRay&>(ray)),
-                             padded(triangle_bounds(a, b, c), padding));
-    const V t = hn::Div(sums.t, sums.det);
-    answer.met = bits(tag, hn::And(inside, hn::And(within.met(), hn::Eq(t, t))));
-    hn::StoreU(within.clamp(t), tag, answer.t.data());
+    const auto hit = clamped<V>({hn::Div(sums.t, sums.det), inside}, a, triangle_bounds(a, b, c),
+                                everywhere<TriangleBlock::width>(ray.origin),
+                                everywhere<TriangleBlock::width>(ray.inverse), padding);
+    answer.met = bits(tag, hit.met);
+    hn::StoreU(hit.t, tag, answer.t.data());
     hn::StoreU(hn::Div(sums.u, sums.det), tag, answer.u.data());
     hn::StoreU(hn::Div(sums.v, sums.det), tag, answer.v.data());
     return answer;
+}
+
+/// What the float test cannot decide.
+template <Counter C>
+[[gnu::noinline]] void test_in_double(const TriangleBlock& block, std::size_t lane,
+                                      const TestRay& ray, float padding, Hit& hit, C& count) {
+    const Triangle triangle = block.triangle(lane);
+    intersect_in_double(triangle, ray, [&](float t, float u, float v) {
+        const bool met =
+            offer(t, u, v, block.primitive[lane], padded(bounds(triangle), padding), ray, hit);
+        if constexpr (C::counts) count(Event::object_hit, met);
+    });
 }
 
 /// Rules 3 and 4 of core/README.md for the lanes that are met.
@@ -140,15 +152,9 @@ inline void test(const TriangleBlock& block, const TestRay& ray, float padding, 
         count(Event::object_hit, static_cast<std::uint64_t>(std::popcount(answer.met)));
     }
     accept_lanes(block, answer, ray.t_min, hit);
-    for (std::uint32_t rest = answer.untrusted; rest != 0; rest &= rest - 1) [[unlikely]] {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-            const Triangle triangle = block.triangle(lane);
-            intersect_in_double(triangle, ray, [&](float t, float u, float v) {
-                const bool met = offer(t, u, v, block.primitive[lane],
-                                       padded(bounds(triangle), padding), ray, hit);
-                if constexpr (C::counts) count(Event::object_hit, met);
-            });
-        }
+    for (std::uint32_t rest = answer.untrusted; rest != 0; rest &= rest - 1) [[unlikely]]
+        test_in_double(block, static_cast<std::size_t>(std::countr_zero(rest)), ray, padding, hit,
+                       count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

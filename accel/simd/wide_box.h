@@ -81,4 +81,57 @@ inline WideInterval<V> clip(const WideSlabRay<V>& ray, const WidePlanes<V>& plan
     return within;
 }
 
+/// clip() where the rays' directions may have any signs.
+template <class V>
+inline WideInterval<V> clip(const simd::Vectors<V>& origin, const simd::Vectors<V>& inverse,
+                            const WidePlanes<V>& planes) {
+    using namespace simd;
+    constexpr hn::DFromV<V> tag;
+    WideInterval<V> within{hn::Set(tag, -infinity), hn::Set(tag, infinity)};
+    const auto narrow = [&](V lo, V hi, V from, V scale) {
+        const auto descending = is_negative(scale);
+        const V near = hn::IfThenElse(descending, hi, lo), far = hn::IfThenElse(descending, lo, hi);
+        within = {larger(hn::Mul(hn::Sub(near, from), scale), within.entry),
+                  smaller(hn::Mul(hn::Sub(far, from), scale), within.exit)};
+    };
+    narrow(planes[0], planes[3], origin.x, inverse.x);
+    narrow(planes[1], planes[4], origin.y, inverse.y);
+    narrow(planes[2], planes[5], origin.z, inverse.z);
+    return within;
+}
+
+template <class V>
+struct WideHit {
+    V t;
+    decltype(simd::hn::Lt(V{}, V{})) met;
+};
+
+/// Rule 2 of core/README.md: t clamped to the padded bounds, and not met where these are missed or
+/// t is NaN. Nearly always t lies in bounds that are padded by less: by the share of one corner's
+/// largest coordinate instead of all corners'. These nest in the padded ones, hence so do the
+/// intervals, exactly, and there is nothing to clamp.
+template <class V>
+inline WideHit<V> clamped(WideHit<V> hit, const simd::Vectors<V>& corner,
+                          const WidePlanes<V>& bounds, const simd::Vectors<V>& origin,
+                          const simd::Vectors<V>& inverse, float padding) {
+    using namespace simd;
+    constexpr hn::DFromV<V> tag;
+    const V largest = hn::Max(hn::Max(hn::Abs(corner.x), hn::Abs(corner.y)), hn::Abs(corner.z));
+    const V radius = hn::MulAdd(hn::Set(tag, own_padding), largest, hn::Set(tag, padding));
+    V entry = hn::Set(tag, -infinity), exit = hn::Set(tag, infinity);
+    const auto narrow = [&](V lo, V hi, V from, V scale) {
+        const V at_lo = hn::Mul(hn::Sub(hn::Sub(lo, radius), from), scale);
+        const V at_hi = hn::Mul(hn::Sub(hn::Add(hi, radius), from), scale);
+        entry = hn::Max(hn::Min(at_lo, at_hi), entry);
+        exit = hn::Min(hn::Max(at_lo, at_hi), exit);
+    };
+    narrow(bounds[0], bounds[3], origin.x, inverse.x);
+    narrow(bounds[1], bounds[4], origin.y, inverse.y);
+    narrow(bounds[2], bounds[5], origin.z, inverse.z);
+    const auto as_it_is = hn::And(hn::Le(entry, hit.t), hn::Le(hit.t, exit));
+    if (hn::AllFalse(tag, hn::AndNot(as_it_is, hit.met))) [[likely]] return hit;
+    const WideInterval<V> within = clip(origin, inverse, padded(bounds, padding));
+    return {within.clamp(hit.t), hn::And(hn::And(hit.met, within.met()), hn::Eq(hit.t, hit.t))};
+}
+
 }  // namespace rayshoot::inline RAYSHOOT_ISA
