@@ -51,14 +51,6 @@ inline V clamp(V t, V lo, V hi) {
     return hn::IfThenElse(hn::Lt(t, lo), lo, hn::IfThenElse(hn::Gt(t, hi), hi, t));
 }
 
-/// std::signbit
-template <class V>
-inline auto negative(V v) {
-    constexpr hn::DFromV<V> tag;
-    const hn::RebindToSigned<hn::DFromV<V>> number;
-    return hn::RebindMask(tag, hn::Lt(hn::BitCast(number, v), hn::Zero(number)));
-}
-
 /// Whether the sign bit is set.
 template <class V>
 inline auto is_negative(V v) {

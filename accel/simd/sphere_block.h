@@ -82,6 +82,26 @@ struct RootsAnswer {
     std::array<SphereBlock::Row, 2> t;
 };
 
+/// clamped() of wide_box.h for both roots; gives back which spheres are met.
+template <class V, class Mask>
+inline Mask clamp_roots(V& first, V& second, Mask inside, const simd::Vectors<V>& centre, V radius,
+                        const TestRay& ray, float padding) {
+    using namespace simd;
+    constexpr hn::DFromV<V> tag;
+    const auto origin = everywhere<hn::MaxLanes(tag)>(ray.origin);
+    const auto inverse = everywhere<hn::MaxLanes(tag)>(ray.inverse);
+    const WidePlanes<V> bounds = sphere_bounds(centre, radius);
+    const auto inner = inner_interval(centre, bounds, origin, inverse, padding);
+    const auto as_they_are = hn::And(inner.contains(first), inner.contains(second));
+    if (hn::AllFalse(tag, hn::AndNot(as_they_are, inside))) [[likely]]
+        return inside;
+    const WideInterval<V> within = clip(origin, inverse, padded(bounds, padding));
+    const auto exists = hn::Or(hn::Eq(first, first), hn::Eq(second, second));
+    first = within.clamp(first);
+    second = within.clamp(second);
+    return hn::And(inside, hn::And(within.met(), exists));
+}
+
 inline RootsAnswer intersect(const SphereBlock& block, const TestRay& ray, float padding) {
     using namespace simd;
     constexpr std::size_t width = SphereBlock::width;
@@ -99,13 +119,11 @@ inline RootsAnswer intersect(const SphereBlock& block, const TestRay& ray, float
     answer.met = bits(tag, inside);
     answer.untrusted = bits(tag, hn::AndNot(trusted, live_lanes(tag, block.primitive)));
     if (answer.met == 0) return answer;
-    const auto within = clip(everywhere<width>(static_cast<const SlabRay&>(ray)),
-                             padded(sphere_bounds(centre, radius), padding));
-    const auto [first, second] = sphere.roots();
-    const auto exists = hn::Or(hn::Eq(first, first), hn::Eq(second, second));
-    answer.met = bits(tag, hn::And(inside, hn::And(within.met(), exists)));
-    hn::StoreU(within.clamp(first), tag, answer.t[0].data());
-    hn::StoreU(within.clamp(second), tag, answer.t[1].data());
+    auto [first, second] = sphere.roots();
+    const auto met = clamp_roots(first, second, inside, centre, radius, ray, padding);
+    answer.met = bits(tag, met);
+    hn::StoreU(first, tag, answer.t[0].data());
+    hn::StoreU(second, tag, answer.t[1].data());
     return answer;
 }
 
