@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/bvh8/flight.h"
+#include "accel/bvh8/halts.h"
 #include "accel/bvh8/packet.h"
 #include "accel/core/session.h"
 
@@ -21,25 +21,17 @@ public:
         OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
         OptionInfo{"bins", "2 to 256", "16", "bins per axis that a split is chosen from"},
         OptionInfo{"packets", "on|off", "on", "coherent rays go together, up to 64"},
-        OptionInfo{"flight", "0 to 64", "0",
-                   "incoherent rays in flight; 0: 1 or 16, by the size of the tree"}};
+        OptionInfo{"flight", "1 to 64", "16", "incoherent rays on their way at once"}};
     static constexpr std::array<std::string_view, 4> configurations{
         "bvh8", "bvh8:packets=off,flight=1", "bvh8:packets=off,flight=16", "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
 
-    /// A child that a packet is still to visit, and where its beam enters it.
-    struct Halt {
-        std::uint32_t node, place;
-        float entry;
-    };
     struct Scratch {
         std::vector<Flight> flights = std::vector<Flight>(most_flights);
         Packet packet;
-        std::vector<Halt> halts;
+        Halts halts;
 
-        std::size_t bytes() const {
-            return flights.size() * sizeof(Flight) + halts.capacity() * sizeof(Halt);
-        }
+        std::size_t bytes() const { return flights.size() * sizeof(Flight); }
     };
 
     Bvh8(const BuildInput& input, const Options& chosen);
@@ -49,13 +41,16 @@ public:
     Footprint footprint() const { return footprint_; }
 
 private:
-    /// Rays of a batch that are traced each for itself.
+    /// Some rays of a batch.
     struct Part {
         std::span<const Ray> rays;
-        std::size_t first = 0;          ///< place of the first one in the batch
-        const Packet* begun = nullptr;  ///< holds their nearest hits so far, if any
+        std::size_t first = 0;  ///< place of the first one in the batch
+        /// Where a packet has brought them so far, if one has.
+        const Packet* packet = nullptr;
+        std::size_t first_of_packet = 0;
+        std::span<const Halt> left{};
 
-        Hit best(std::size_t i) const { return begun ? begun->hit(i) : nothing_yet(rays[i]); }
+        void start(Flight& flight, std::size_t i, Precision precision) const;
     };
 
     template <Query Q, Counter C>
@@ -65,7 +60,12 @@ private:
     template <Query Q, Counter C>
     void trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
-    bool trace_packet(Packet& packet, std::vector<Halt>& halts, C& count) const;
+    void trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    bool follow(Packet& packet, Packet::Section section, int most_steps, Halts& halts,
+                C& count) const;
+    template <Counter C>
+    void step(const Beam& beam, const WideNode& node, Halts& halts, C& count) const;
 
     struct Children;
     template <Counter C>
@@ -75,25 +75,17 @@ private:
     template <Query Q, Counter C>
     void visit_leaf(Flight& flight, C& count) const;
     template <Query Q, Counter C>
-    void visit_leaves(Departures& departures, Flight* flights, C& count) const;
+    void visit_triangles(Departures& departures, Flight* flights, C& count) const;
     template <Query Q, Counter C>
-    void visit_leaf(Packet& packet, const WideNode& parent, std::size_t place, C& count) const;
+    void visit_leaf(Packet& packet, Packet::Section section, const Halt& halt, C& count) const;
     void fetch(WideChild child) const;
-    const WideNode& node_at(WideChild child) const {
-        return *reinterpret_cast<const WideNode*>(firsts_[0] + child.offset());
-    }
-    const TriangleBlock* block_at(WideChild leaf) const {
-        return reinterpret_cast<const TriangleBlock*>(firsts_[1] + leaf.offset());
-    }
+    const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
 
     PagedVector<WideNode> nodes_;
-    PagedVector<TriangleBlock> blocks_;
-    std::array<const std::byte*, 2> firsts_;  ///< where nodes and blocks begin
-    std::vector<LeafRange> mixed_;  ///< leaves of anything but plain triangles, in `others_`
-    Leaves others_;
-    float padding_ = 0;
-    Precision precision_ = Precision::standard;
+    PackedLeaves leaves_;
+    std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
+    int wide_steps_ = 12, narrow_steps_ = 40;
     std::size_t in_flight_ = 1;
     Footprint footprint_;
 };
@@ -109,14 +101,17 @@ inline void Bvh8::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scra
         const std::size_t together = std::min(Packet::most, whole_groups);
         if (!packet.load(rays.subspan(i, together))) continue;
         trace_each<Q>({rays.subspan(waiting, i - waiting), waiting}, answers, scratch, count);
-        if (trace_packet<Q>(packet, scratch.halts, count)) {
-            for (std::size_t j = 0; j < together; ++j) answers.store(i + j, packet.hit(j));
-        } else {
-            trace_each<Q>({rays.subspan(i, together), i, &packet}, answers, scratch, count);
-        }
+        trace_together<Q>({rays.subspan(i, together), i}, answers, scratch, count);
         waiting = i + together;
     }
     trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
+}
+
+inline void Bvh8::Part::start(Flight& flight, std::size_t i, Precision precision) const {
+    flight.start(rays[i], packet ? packet->hit(first_of_packet + i) : nothing_yet(rays[i]), i,
+                 precision);
+    for (const Halt& halt : left) flight.stack.push(halt.child, halt.entry);
+    if (!left.empty()) flight.pop();
 }
 
 template <Query Q, Counter C>
@@ -125,15 +120,19 @@ inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scr
     if (in_flight_ > 1) return trace_in_flight<Q>(part, answers, scratch, count);
     Flight& flight = scratch.flights.front();
     for (std::size_t i = 0; i < part.rays.size(); ++i) {
-        flight.start(part.rays[i], part.best(i), i, precision_);
+        part.start(flight, i, leaves_.precision());
         trace_alone<Q>(flight, count);
         answers.store(part.first + i, flight.hit);
     }
 }
 
-/// Asks for the memory of a child before its turn comes.
+/// Asks for the memory of a child before its turn comes. Which kind it is cannot be foretold, so
+/// the place of either is computed.
 inline void Bvh8::fetch(WideChild child) const {
-    const std::byte* const first = firsts_[child.interior() ? 0 : 1] + child.offset();
+    const std::size_t node = std::size_t{child.number()} * sizeof(WideNode);
+    const std::size_t block = PackedLeaves::offset(child.leaf());
+    const std::byte* const first =
+        firsts_[child.interior() ? 0 : 1] + simd::select(child.interior(), node, block);
     for (std::size_t i = 0; i < sizeof(WideNode); i += 64) __builtin_prefetch(first + i);
 }
 
@@ -169,15 +168,8 @@ inline Bvh8::Children Bvh8::meet(const Flight& flight, const WideNode& node, C& 
 
 template <Query Q, Counter C>
 inline void Bvh8::visit_leaf(Flight& flight, C& count) const {
-    const WideChild leaf = flight.next;
     count(Event::cell);
-    if (leaf.is_mixed()) [[unlikely]]
-        return others_.template test<Q>(mixed_[leaf.mixed_number()], flight.ray, flight.hit, count);
-    for (std::uint32_t i = 0; i < leaf.block_count(); ++i) {
-        test(block_at(leaf)[i], flight.ray, padding_, flight.hit, count);
-        if constexpr (Q == Query::occluded)
-            if (flight.hit.primitive != no_primitive) return;
-    }
+    leaves_.template test<Q>(flight.next.leaf(), flight.ray, flight.hit, count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -7,12 +7,6 @@
 /// before. No branch depends on a ray, so that the steps of several rays overlap.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// if_set ? a : b, and no branch, whatever the compiler thinks of it.
-inline std::uint64_t select(bool if_set, std::uint64_t a, std::uint64_t b) {
-    const std::uint64_t all = 0 - static_cast<std::uint64_t>(if_set);
-    return (a & all) | (b & ~all);
-}
-
 /// Which children the ray meets, and which of them first: by its entry's bits, with the place
 /// instead of the last three.
 template <Counter C>
@@ -48,18 +42,22 @@ inline void go_down(Flight& flight) {
         compress(hn::Load(floats<WideNode::width>, crossing.entries.data()), others));
     flight.stack.drop();
     flight.next = WideChild::from(static_cast<std::uint32_t>(
-        select(places != 0, crossing.node->child(nearest).bits(), left_behind.bits())));
+        simd::select(places != 0, crossing.node->child(nearest).bits(), left_behind.bits())));
 }
 
 /// Flights, a bit each, by what they come to next. Not lists: what is read from a list would have
 /// to wait until it is known that nothing writes there.
 struct Departures {
-    std::uint64_t to_node = 0, to_leaf = 0, to_end = 0;
+    bool batched;  ///< leaves of triangles are tested for several flights at once
+    std::uint64_t to_node = 0, to_triangles = 0, to_leaf = 0, to_end = 0;
 
+    bool any() const { return (to_node | to_triangles | to_leaf | to_end) != 0; }
     void add(std::size_t flight, WideChild next) {
         const std::uint64_t leaf = !next.interior(), end = next.is_none();
+        const std::uint64_t triangles = leaf & next.leaf().only_triangles() & batched;
         to_node |= (leaf ^ 1) << flight;
-        to_leaf |= (leaf ^ end) << flight;
+        to_triangles |= triangles << flight;
+        to_leaf |= (leaf ^ triangles ^ end) << flight;
         to_end |= end << flight;
     }
 };
@@ -73,11 +71,11 @@ template <Query Q, Counter C>
 inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch,
                                   C& count) const {
     Flight* const flights = scratch.flights.data();
-    Departures departures;
+    Departures departures{leaves_.precision() == Precision::standard};
     std::size_t started = 0;
     const auto start = [&](std::size_t number) {
         if (started == part.rays.size()) return;
-        flights[number].start(part.rays[started], part.best(started), started, precision_);
+        part.start(flights[number], started, leaves_.precision());
         departures.add(number, flights[number].next);
         ++started;
     };
@@ -87,7 +85,7 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
         departures.add(number, next);
     };
     for (std::size_t i = 0; i < in_flight_; ++i) start(i);
-    while ((departures.to_node | departures.to_leaf | departures.to_end) != 0) {
+    while (departures.any()) {
         const std::uint64_t at_node = std::exchange(departures.to_node, 0);
         // Two short loops: the processor looks ahead over more rays in each than in one long loop.
         for_each(at_node, [&](std::size_t number) { cross(flights[number], count); });
@@ -95,7 +93,15 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
             go_down(flights[number]);
             go_on(number);
         });
-        visit_leaves<Q>(departures, flights, count);
+        visit_triangles<Q>(departures, flights, count);
+        for_each(std::exchange(departures.to_leaf, 0), [&](std::size_t number) {
+            Flight& flight = flights[number];
+            visit_leaf<Q>(flight, count);
+            flight.pop();
+            if (Q == Query::occluded && flight.hit.primitive != no_primitive)
+                flight.next = WideChild::none();
+            go_on(number);
+        });
         for_each(std::exchange(departures.to_end, 0), [&](std::size_t number) {
             answers.store(part.first + flights[number].number, flights[number].hit);
             start(number);
@@ -106,33 +112,34 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
 /// One block of each leaf, for as many flights at once as there are; fewer only where no other
 /// flight goes on.
 template <Query Q, Counter C>
-inline void Bvh8::visit_leaves(Departures& departures, Flight* flights, C& count) const {
-    while (static_cast<std::size_t>(std::popcount(departures.to_leaf)) >= rays_by_blocks ||
-           (departures.to_leaf != 0 && departures.to_node == 0)) {
+inline void Bvh8::visit_triangles(Departures& departures, Flight* flights, C& count) const {
+    while (static_cast<std::size_t>(std::popcount(departures.to_triangles)) >= rays_by_blocks ||
+           (departures.to_triangles != 0 && departures.to_node == 0)) {
         RaysAndBlocks pairs;
         std::array<std::size_t, rays_by_blocks> numbers;
         std::size_t together = 0;
-        for (; together < rays_by_blocks && departures.to_leaf != 0; ++together) {
-            numbers[together] = static_cast<std::size_t>(std::countr_zero(departures.to_leaf));
-            departures.to_leaf &= departures.to_leaf - 1;
+        for (; together < rays_by_blocks && departures.to_triangles != 0; ++together) {
+            numbers[together] = static_cast<std::size_t>(std::countr_zero(departures.to_triangles));
+            departures.to_triangles &= departures.to_triangles - 1;
             Flight& flight = flights[numbers[together]];
-            pairs[together] = {&flight.ray, &flight.hit, block_at(flight.next)};
+            pairs[together] = {&flight.ray, &flight.hit, 
+                               &leaves_.triangles(flight.next.leaf().first_block())};
         }
-        test(pairs, together, padding_, count);
+        test(pairs, together, leaves_.padding(), count);
         for (std::size_t i = 0; i < together; ++i) {
             Flight& flight = flights[numbers[i]];
-            const WideChild leaf = flight.next;
+            const PackedLeaf leaf = flight.next.leaf();
             const bool last = leaf.block_count() == 1;
             const bool over = Q == Query::occluded && flight.hit.primitive != no_primitive;
             if constexpr (C::counts) count(Event::cell, last || over);
             flight.pop();
             if (!last) [[unlikely]] {
                 flight.stack.push(flight.next, -infinity);
-                flight.next = leaf.after_first();
+                flight.next = WideChild::leaf(leaf.after_first());
             }
             if constexpr (Q == Query::occluded)
                 flight.next = WideChild::from(static_cast<std::uint32_t>(
-                    select(over, WideChild::none().bits(), flight.next.bits())));
+                    simd::select(over, WideChild::none().bits(), flight.next.bits())));
             fetch(flight.next);
             departures.add(numbers[i], flight.next);
         }

@@ -51,6 +51,12 @@ inline V clamp(V t, V lo, V hi) {
     return hn::IfThenElse(hn::Lt(t, lo), lo, hn::IfThenElse(hn::Gt(t, hi), hi, t));
 }
 
+/// if_set ? a : b, and no branch, whatever the compiler thinks of it.
+inline std::uint64_t select(bool if_set, std::uint64_t a, std::uint64_t b) {
+    const std::uint64_t all = 0 - static_cast<std::uint64_t>(if_set);
+    return (a & all) | (b & ~all);
+}
+
 /// Whether the sign bit is set.
 template <class V>
 inline auto is_negative(V v) {

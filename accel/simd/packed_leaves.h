@@ -34,6 +34,8 @@ public:
         return (only_triangles() ? bits_ : bits_ & ~(other_bit | sphere_bit)) / most_blocks;
     }
     std::uint32_t block_count() const { return bits_ % most_blocks + 1; }
+    /// Of a leaf of several blocks: the others.
+    PackedLeaf after_first() const { return PackedLeaf(bits_ + most_blocks - 1); }
 
 private:
     static constexpr std::uint32_t other_bit = 0x40000000, sphere_bit = 0x20000000;
@@ -70,10 +72,13 @@ public:
         test_runs<Q>(leaf, ray, hit, count);
     }
 
-    /// The leaf's first cache line, to be asked for early.
-    const void* address(PackedLeaf leaf) const {
-        return leaf.is_mixed() ? static_cast<const void*>(mixed_.data() + leaf.number())
-                               : blocks_.data() + leaf.first_block();
+    /// Where the blocks begin, and the bytes from there to a leaf's first one, to be asked for
+    /// early; to no avail for a mixed leaf.
+    const std::byte* first() const { return reinterpret_cast<const std::byte*>(blocks_.data()); }
+    static std::size_t offset(PackedLeaf leaf) {
+        return std::size_t{leaf.bits() % (PackedLeaf::most_sphere_blocks * PackedLeaf::most_blocks) /
+                           PackedLeaf::most_blocks} *
+               sizeof(LeafBlock);
     }
     /// For those who test many rays at once. Block of a leaf of triangles, or of one of spheres.
     const TriangleBlock& triangles(std::uint32_t block) const { return blocks_[block].triangles; }
