@@ -82,24 +82,29 @@ struct RootsAnswer {
     std::array<SphereBlock::Row, 2> t;
 };
 
-/// clamped() of wide_box.h for both roots; gives back which spheres are met.
-template <class V, class Mask>
-inline Mask clamp_roots(V& first, V& second, Mask inside, const simd::Vectors<V>& centre, V radius,
-                        const TestRay& ray, float padding) {
+template <class V>
+struct WideTwoHits {
+    std::array<V, 2> t;
+    decltype(simd::hn::Lt(V{}, V{})) met;
+};
+
+/// clamped() of wide_box.h for both roots.
+template <class V>
+inline WideTwoHits<V> clamped(WideTwoHits<V> hits, const simd::Vectors<V>& centre, V radius,
+                              const simd::Vectors<V>& origin, const simd::Vectors<V>& inverse,
+                              float padding) {
     using namespace simd;
     constexpr hn::DFromV<V> tag;
-    const auto origin = everywhere<hn::MaxLanes(tag)>(ray.origin);
-    const auto inverse = everywhere<hn::MaxLanes(tag)>(ray.inverse);
+    const auto [first, second] = hits.t;
     const WidePlanes<V> bounds = sphere_bounds(centre, radius);
     const auto inner = inner_interval(centre, bounds, origin, inverse, padding);
     const auto as_they_are = hn::And(inner.contains(first), inner.contains(second));
-    if (hn::AllFalse(tag, hn::AndNot(as_they_are, inside))) [[likely]]
-        return inside;
+    if (hn::AllFalse(tag, hn::AndNot(as_they_are, hits.met))) [[likely]]
+        return hits;
     const WideInterval<V> within = clip(origin, inverse, padded(bounds, padding));
     const auto exists = hn::Or(hn::Eq(first, first), hn::Eq(second, second));
-    first = within.clamp(first);
-    second = within.clamp(second);
-    return hn::And(inside, hn::And(within.met(), exists));
+    return {{within.clamp(first), within.clamp(second)},
+            hn::And(hits.met, hn::And(within.met(), exists))};
 }
 
 inline RootsAnswer intersect(const SphereBlock& block, const TestRay& ray, float padding) {
@@ -119,11 +124,12 @@ inline RootsAnswer intersect(const SphereBlock& block, const TestRay& ray, float
     answer.met = bits(tag, inside);
     answer.untrusted = bits(tag, hn::AndNot(trusted, live_lanes(tag, block.primitive)));
     if (answer.met == 0) return answer;
-    auto [first, second] = sphere.roots();
-    const auto met = clamp_roots(first, second, inside, centre, radius, ray, padding);
-    answer.met = bits(tag, met);
-    hn::StoreU(first, tag, answer.t[0].data());
-    hn::StoreU(second, tag, answer.t[1].data());
+    const auto hits =
+        clamped<V>({sphere.roots(), inside}, centre, radius, everywhere<width>(ray.origin),
+                   everywhere<width>(ray.inverse), padding);
+    answer.met = bits(tag, hits.met);
+    hn::StoreU(hits.t[0], tag, answer.t[0].data());
+    hn::StoreU(hits.t[1], tag, answer.t[1].data());
     return answer;
 }
 

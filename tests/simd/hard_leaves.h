@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/core/leaves.h"
+#include "accel/simd/lanes.h"
 #include "tests/core/cases.h"
 
 #include <gtest/gtest.h>
@@ -42,6 +43,42 @@ Answer ask(const Ray& ray, Test&& test) {
     test(ray, answer.hit, tally);
     return answer;
 }
+
+/// Hard rays at a geometry's first primitive, side by side.
+template <std::size_t Width>
+struct SideBySide {
+    using V = simd::Floats<Width>;
+    using Row = std::array<float, Width>;
+
+    std::array<Ray, Width> rays;
+    simd::Vectors<V> origin, direction, inverse;
+    V direction_size;
+
+    SideBySide(const Geometry& geometry, Random& random) {
+        std::array<Row, 10> rows;
+        for (std::size_t i = 0; i < Width; ++i) {
+            rays[i] = hard_ray(geometry, 0, random);
+            const TestRay ray(rays[i], Precision::standard);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const int j = static_cast<int>(axis);
+                rows[axis][i] = ray.origin[j];
+                rows[axis + 3][i] = ray.direction[j];
+                rows[axis + 6][i] = ray.inverse[j];
+            }
+            rows[9][i] = ray.direction_size;
+        }
+        origin = {load(rows[0]), load(rows[1]), load(rows[2])};
+        direction = {load(rows[3]), load(rows[4]), load(rows[5])};
+        inverse = {load(rows[6]), load(rows[7]), load(rows[8])};
+        direction_size = load(rows[9]);
+    }
+    static V load(const Row& row) { return simd::hn::LoadU(simd::floats<Width>, row.data()); }
+    static Row store(V v) {
+        Row row;
+        simd::hn::StoreU(v, simd::floats<Width>, row.data());
+        return row;
+    }
+};
 
 inline bool same_bits(const Hit& a, const Hit& b) { return std::memcmp(&a, &b, sizeof(Hit)) == 0; }
 
