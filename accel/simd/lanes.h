@@ -51,14 +51,6 @@ inline V clamp(V t, V lo, V hi) {
     return hn::IfThenElse(hn::Lt(t, lo), lo, hn::IfThenElse(hn::Gt(t, hi), hi, t));
 }
 
-/// std::signbit
-template <class V>
-inline auto negative(V v) {
-    constexpr hn::DFromV<V> tag;
-    const hn::RebindToSigned<hn::DFromV<V>> number;
-    return hn::RebindMask(tag, hn::Lt(hn::BitCast(number, v), hn::Zero(number)));
-}
-
 /// if_set ? a : b, and no branch, whatever the compiler thinks of it.
 inline std::uint64_t select(bool if_set, std::uint64_t a, std::uint64_t b) {
     const std::uint64_t all = 0 - static_cast<std::uint64_t>(if_set);

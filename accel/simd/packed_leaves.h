@@ -69,7 +69,7 @@ public:
         if (leaf.only_triangles() && precision_ == Precision::standard) [[likely]]
             return test_triangles<Q, Precision::standard>(leaf.first_block(), leaf.block_count(),
                                                           ray, hit, count);
-        test_other<Q>(leaf, ray, hit, count);
+        test_runs<Q>(leaf, ray, hit, count);
     }
 
     /// Where the blocks begin, and the bytes from there to a leaf's first one, to be asked for
@@ -89,16 +89,17 @@ public:
     /// Every leaf is blocks of triangles, which packets of rays can test.
     bool only_triangles() const { return only_triangles_; }
     std::size_t bytes() const {
-        return blocks_.size() * sizeof(LeafBlock) + mixed_.size() * sizeof(Mixed) + others_.bytes();
+        return blocks_.size() * sizeof(LeafBlock) + mixed_.size() * sizeof(Runs) + others_.bytes();
     }
 
 private:
     friend class LeafPacker;
     /// Blocks of triangles, after them blocks of spheres, and slots of `others_`.
-    struct Mixed {
+    struct Runs {
         std::uint32_t first_block, triangle_blocks, sphere_blocks;
         LeafRange others;
     };
+    Runs runs(PackedLeaf leaf) const;
 
     template <Query Q, Precision P, Counter C>
     void test_triangles(std::uint32_t first, std::uint32_t blocks, const TestRay& ray, Hit& hit,
@@ -108,17 +109,14 @@ private:
                       C& count) const;
     /// Out of the traversal loops, whose code it would push apart.
     template <Query Q, Counter C>
-    [[gnu::noinline]] void test_other(PackedLeaf leaf, const TestRay& ray, Hit& hit,
-                                      C& count) const;
-    template <Query Q, Counter C>
-    void test_mixed(const Mixed& mixed, const TestRay& ray, Hit& hit, C& count) const;
+    [[gnu::noinline]] void test_runs(PackedLeaf leaf, const TestRay& ray, Hit& hit, C& count) const;
     template <Query Q>
     static bool answered(const Hit& hit) {
         return Q == Query::occluded && hit.primitive != no_primitive;
     }
 
     PagedVector<LeafBlock> blocks_;
-    std::vector<Mixed> mixed_;
+    std::vector<Runs> mixed_;
     Leaves others_;
     float padding_ = 0;
     Precision precision_ = Precision::standard;
@@ -145,29 +143,25 @@ inline void PackedLeaves::test_spheres(std::uint32_t first, std::uint32_t blocks
     }
 }
 
-template <Query Q, Counter C>
-void PackedLeaves::test_other(PackedLeaf leaf, const TestRay& ray, Hit& hit, C& count) const {
-    if (leaf.is_mixed()) return test_mixed<Q>(mixed_[leaf.number()], ray, hit, count);
-    if (leaf.only_triangles())
-        return test_triangles<Q, Precision::watertight>(leaf.first_block(), leaf.block_count(), ray,
-                                                        hit, count);
-    test_spheres<Q>(leaf.first_block(), leaf.block_count(), ray, hit, count);
+inline PackedLeaves::Runs PackedLeaves::runs(PackedLeaf leaf) const {
+    if (leaf.is_mixed()) return mixed_[leaf.number()];
+    const std::uint32_t first = leaf.first_block(), blocks = leaf.block_count();
+    if (leaf.only_triangles()) return {first, blocks, 0, {}};
+    return {first, 0, blocks, {}};
 }
 
 template <Query Q, Counter C>
-inline void PackedLeaves::test_mixed(const Mixed& mixed, const TestRay& ray, Hit& hit,
-                                     C& count) const {
+void PackedLeaves::test_runs(PackedLeaf leaf, const TestRay& ray, Hit& hit, C& count) const {
+    const Runs of = runs(leaf);
     if (precision_ == Precision::standard)
-        test_triangles<Q, Precision::standard>(mixed.first_block, mixed.triangle_blocks, ray, hit,
-                                               count);
+        test_triangles<Q, Precision::standard>(of.first_block, of.triangle_blocks, ray, hit, count);
     else
-        test_triangles<Q, Precision::watertight>(mixed.first_block, mixed.triangle_blocks, ray, hit,
+        test_triangles<Q, Precision::watertight>(of.first_block, of.triangle_blocks, ray, hit,
                                                  count);
     if (answered<Q>(hit)) return;
-    test_spheres<Q>(mixed.first_block + mixed.triangle_blocks, mixed.sphere_blocks, ray, hit,
-                    count);
-    if (answered<Q>(hit) || mixed.others.count == 0) return;
-    others_.template test<Q>(mixed.others, ray, hit, count);
+    test_spheres<Q>(of.first_block + of.triangle_blocks, of.sphere_blocks, ray, hit, count);
+    if (answered<Q>(hit) || of.others.count == 0) return;
+    others_.template test<Q>(of.others, ray, hit, count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

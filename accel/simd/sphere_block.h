@@ -82,6 +82,31 @@ struct RootsAnswer {
     std::array<SphereBlock::Row, 2> t;
 };
 
+template <class V>
+struct WideTwoHits {
+    std::array<V, 2> t;
+    decltype(simd::hn::Lt(V{}, V{})) met;
+};
+
+/// clamped() of wide_box.h for both roots.
+template <class V>
+inline WideTwoHits<V> clamped(WideTwoHits<V> hits, const simd::Vectors<V>& centre, V radius,
+                              const simd::Vectors<V>& origin, const simd::Vectors<V>& inverse,
+                              float padding) {
+    using namespace simd;
+    constexpr hn::DFromV<V> tag;
+    const auto [first, second] = hits.t;
+    const WidePlanes<V> bounds = sphere_bounds(centre, radius);
+    const auto inner = inner_interval(centre, bounds, origin, inverse, padding);
+    const auto as_they_are = hn::And(inner.contains(first), inner.contains(second));
+    if (hn::AllFalse(tag, hn::AndNot(as_they_are, hits.met))) [[likely]]
+        return hits;
+    const WideInterval<V> within = clip(origin, inverse, padded(bounds, padding));
+    const auto exists = hn::Or(hn::Eq(first, first), hn::Eq(second, second));
+    return {{within.clamp(first), within.clamp(second)},
+            hn::And(hits.met, hn::And(within.met(), exists))};
+}
+
 inline RootsAnswer intersect(const SphereBlock& block, const TestRay& ray, float padding) {
     using namespace simd;
     constexpr std::size_t width = SphereBlock::width;
@@ -99,13 +124,12 @@ inline RootsAnswer intersect(const SphereBlock& block, const TestRay& ray, float
     answer.met = bits(tag, inside);
     answer.untrusted = bits(tag, hn::AndNot(trusted, live_lanes(tag, block.primitive)));
     if (answer.met == 0) return answer;
-    const auto within = clip(everywhere<width>(static_cast<const SlabRay&>(ray)),
-                             padded(sphere_bounds(centre, radius), padding));
-    const auto [first, second] = sphere.roots();
-    const auto exists = hn::Or(hn::Eq(first, first), hn::Eq(second, second));
-    answer.met = bits(tag, hn::And(inside, hn::And(within.met(), exists)));
-    hn::StoreU(within.clamp(first), tag, answer.t[0].data());
-    hn::StoreU(within.clamp(second), tag, answer.t[1].data());
+    const auto hits =
+        clamped<V>({sphere.roots(), inside}, centre, radius, everywhere<width>(ray.origin),
+                   everywhere<width>(ray.inverse), padding);
+    answer.met = bits(tag, hits.met);
+    hn::StoreU(hits.t[0], tag, answer.t[0].data());
+    hn::StoreU(hits.t[1], tag, answer.t[1].data());
     return answer;
 }
 

@@ -35,7 +35,7 @@ public:
                     hn::Lt(hn::Add(hn::Add(size_a, size_b), size_c), all(a, infinity)));
         // None of them is zero here, so that their signs say all.
         const auto differ = hn::Or(hn::Xor(a, b), hn::Xor(a, c));
-        return hn::And(trusted, negative(differ));
+        return hn::And(trusted, is_negative(differ));
     }
     /// The products of two floats are exact in double.
     WideCrossing<V> exact(V direction_z) const {
@@ -83,8 +83,9 @@ private:
         const auto none = all(ea, 0);
         const auto minus = hn::Or(hn::Or(hn::Lt(ea, none), hn::Lt(eb, none)), hn::Lt(ec, none));
         const auto plus = hn::Or(hn::Or(hn::Gt(ea, none), hn::Gt(eb, none)), hn::Gt(ec, none));
+        // Zero only where all three edge functions are: then t is 0 / 0.
         const auto det = hn::Add(hn::Add(ea, eb), ec);
-        const auto missed = hn::Or(hn::And(minus, plus), hn::Eq(det, none));
+        const auto missed = hn::And(minus, plus);
         const auto depth = hn::MulAdd(ea, a.z, hn::MulAdd(eb, b.z, hn::Mul(ec, c.z)));
         const auto t = hn::Div(depth, hn::Mul(det, as_doubles<Part>(direction_z)));
         const hn::Rebind<float, hn::DFromV<decltype(t)>> tag;
@@ -135,11 +136,13 @@ inline BlockAnswer intersect_watertight(const TriangleBlock& block, const TestRa
     constexpr auto tag = floats<width>;
     using V = Floats<width>;
     const Shear& shear = ray.shear;
+    const float* const origin = &ray.origin.x;  // y and z follow it
     // Turned by taking the rows in another order.
     const auto seen = [&](std::size_t corner) {
         const auto row = [&](int axis) {
-            const auto& coordinates = block.corner[3 * corner + static_cast<std::size_t>(axis)];
-            return hn::Sub(hn::Load(tag, coordinates.data()), hn::Set(tag, ray.origin[axis]));
+            const auto place = static_cast<std::size_t>(axis);
+            return hn::Sub(hn::Load(tag, block.corner[3 * corner + place].data()),
+                           hn::Set(tag, origin[place]));
         };
         return Vectors<V>{row(shear.x), row(shear.y), row(shear.z)};
     };
@@ -151,11 +154,12 @@ inline BlockAnswer intersect_watertight(const TriangleBlock& block, const TestRa
     answer.met = bits(tag, left);
     if (answer.met == 0) return answer;
     const WideCrossing<V> at = edges.exact(hn::Set(tag, ray.direction[shear.z]));
-    const auto within = clip(
-        everywhere<width>(static_cast<const SlabRay&>(ray)),
-        padded(triangle_bounds(block.corners(0), block.corners(1), block.corners(2)), padding));
-    answer.met = bits(tag, hn::And(left, hn::And(within.met(), hn::Eq(at.t, at.t))));
-    hn::StoreU(within.clamp(at.t), tag, answer.t.data());
+    const Vectors<V> a = block.corners(0), b = block.corners(1), c = block.corners(2);
+    const auto hit =
+        clamped<V>({at.t, hn::And(left, hn::Eq(at.t, at.t))}, a, triangle_bounds(a, b, c),
+                   everywhere<width>(ray.origin), everywhere<width>(ray.inverse), padding);
+    answer.met = bits(tag, hit.met);
+    hn::StoreU(hit.t, tag, answer.t.data());
     hn::StoreU(at.u, tag, answer.u.data());
     hn::StoreU(at.v, tag, answer.v.data());
     return answer;

@@ -44,44 +44,18 @@ inline WidePlanes<V> padded(WidePlanes<V> planes, float padding) {
     return planes;
 }
 
-/// Rays whose directions agree in their signs, or one ray in every lane.
-template <class V>
-struct WideSlabRay {
-    simd::Vectors<V> origin, inverse;
-    const std::array<std::size_t, 3>&near, &far;  ///< as in SlabRay
-};
-template <std::size_t Width>
-inline WideSlabRay<simd::Floats<Width>> everywhere(const SlabRay& ray) {
-    return {simd::everywhere<Width>(ray.origin), simd::everywhere<Width>(ray.inverse), ray.near,
-            ray.far};
-}
-
 template <class V>
 struct WideInterval {
     V entry, exit;
 
     auto met() const { return simd::hn::Le(entry, exit); }
+    auto contains(V t) const {
+        return simd::hn::And(simd::hn::Le(entry, t), simd::hn::Le(t, exit));
+    }
     V clamp(V t) const { return simd::clamp(t, entry, exit); }
 };
 
-/// clip(SlabRay, Box)
-template <class V>
-inline WideInterval<V> clip(const WideSlabRay<V>& ray, const WidePlanes<V>& planes) {
-    using namespace simd;
-    constexpr hn::DFromV<V> tag;
-    WideInterval<V> within{hn::Set(tag, -infinity), hn::Set(tag, infinity)};
-    const auto narrow = [&](std::size_t axis, V origin, V inverse) {
-        const V near = hn::Mul(hn::Sub(planes[ray.near[axis]], origin), inverse);
-        const V far = hn::Mul(hn::Sub(planes[ray.far[axis]], origin), inverse);
-        within = {larger(near, within.entry), smaller(far, within.exit)};
-    };
-    narrow(0, ray.origin.x, ray.inverse.x);
-    narrow(1, ray.origin.y, ray.inverse.y);
-    narrow(2, ray.origin.z, ray.inverse.z);
-    return within;
-}
-
-/// clip() where the rays' directions may have any signs.
+/// clip(SlabRay, Box); the signs of the directions may differ from lane to lane.
 template <class V>
 inline WideInterval<V> clip(const simd::Vectors<V>& origin, const simd::Vectors<V>& inverse,
                             const WidePlanes<V>& planes) {
@@ -100,6 +74,30 @@ inline WideInterval<V> clip(const simd::Vectors<V>& origin, const simd::Vectors<
     return within;
 }
 
+/// The interval of bounds that are padded by less than they should be: by the share of a `point` of
+/// theirs instead of their largest coordinate. They nest in the padded ones, so the interval does,
+/// exactly: nearly every t lies in it, and then there is nothing to clamp.
+template <class V>
+inline WideInterval<V> inner_interval(const simd::Vectors<V>& point, const WidePlanes<V>& bounds,
+                                      const simd::Vectors<V>& origin,
+                                      const simd::Vectors<V>& inverse, float padding) {
+    using namespace simd;
+    constexpr hn::DFromV<V> tag;
+    const V largest = hn::Max(hn::Max(hn::Abs(point.x), hn::Abs(point.y)), hn::Abs(point.z));
+    const V radius = hn::MulAdd(hn::Set(tag, own_padding), largest, hn::Set(tag, padding));
+    WideInterval<V> within{hn::Set(tag, -infinity), hn::Set(tag, infinity)};
+    const auto narrow = [&](V lo, V hi, V from, V scale) {
+        const V at_lo = hn::Mul(hn::Sub(hn::Sub(lo, radius), from), scale);
+        const V at_hi = hn::Mul(hn::Sub(hn::Add(hi, radius), from), scale);
+        within = {hn::Max(hn::Min(at_lo, at_hi), within.entry),
+                  hn::Min(hn::Max(at_lo, at_hi), within.exit)};
+    };
+    narrow(bounds[0], bounds[3], origin.x, inverse.x);
+    narrow(bounds[1], bounds[4], origin.y, inverse.y);
+    narrow(bounds[2], bounds[5], origin.z, inverse.z);
+    return within;
+}
+
 template <class V>
 struct WideHit {
     V t;
@@ -107,29 +105,16 @@ struct WideHit {
 };
 
 /// Rule 2 of core/README.md: t clamped to the padded bounds, and not met where these are missed or
-/// t is NaN. Nearly always t lies in bounds that are padded by less: by the share of one corner's
-/// largest coordinate instead of all corners'. These nest in the padded ones, hence so do the
-/// intervals, exactly, and there is nothing to clamp.
+/// t is NaN.
 template <class V>
 inline WideHit<V> clamped(WideHit<V> hit, const simd::Vectors<V>& corner,
                           const WidePlanes<V>& bounds, const simd::Vectors<V>& origin,
                           const simd::Vectors<V>& inverse, float padding) {
     using namespace simd;
     constexpr hn::DFromV<V> tag;
-    const V largest = hn::Max(hn::Max(hn::Abs(corner.x), hn::Abs(corner.y)), hn::Abs(corner.z));
-    const V radius = hn::MulAdd(hn::Set(tag, own_padding), largest, hn::Set(tag, padding));
-    V entry = hn::Set(tag, -infinity), exit = hn::Set(tag, infinity);
-    const auto narrow = [&](V lo, V hi, V from, V scale) {
-        const V at_lo = hn::Mul(hn::Sub(hn::Sub(lo, radius), from), scale);
-        const V at_hi = hn::Mul(hn::Sub(hn::Add(hi, radius), from), scale);
-        entry = hn::Max(hn::Min(at_lo, at_hi), entry);
-        exit = hn::Min(hn::Max(at_lo, at_hi), exit);
-    };
-    narrow(bounds[0], bounds[3], origin.x, inverse.x);
-    narrow(bounds[1], bounds[4], origin.y, inverse.y);
-    narrow(bounds[2], bounds[5], origin.z, inverse.z);
-    const auto as_it_is = hn::And(hn::Le(entry, hit.t), hn::Le(hit.t, exit));
-    if (hn::AllFalse(tag, hn::AndNot(as_it_is, hit.met))) [[likely]] return hit;
+    const auto as_it_is = inner_interval(corner, bounds, origin, inverse, padding).contains(hit.t);
+    if (hn::AllFalse(tag, hn::AndNot(as_it_is, hit.met))) [[likely]]
+        return hit;
     const WideInterval<V> within = clip(origin, inverse, padded(bounds, padding));
     return {within.clamp(hit.t), hn::And(hn::And(hit.met, within.met()), hn::Eq(hit.t, hit.t))};
 }

@@ -66,7 +66,7 @@ void add_other(GeometryBuilder& builder, Random& random) {
 
 float some_scale(Random& random) {
     if (random.below(2) == 0) return 1;
-    return static_cast<float>(random.magnitude(-50, 50));
+    return static_cast<float>(random.magnitude(-70, 70));
 }
 
 Spot hard_spot(const Triangle& triangle, Random& random) {
@@ -78,12 +78,22 @@ Spot hard_spot(const Triangle& triangle, Random& random) {
     return spot;
 }
 
+/// Every other one at a pole, where the sphere touches its box.
+Spot hard_spot(const Sphere& sphere, Random& random) {
+    Spot spot = spot_on(sphere, random);
+    if (random.below(2) == 0) return spot;
+    spot.normal = dvec3(0);
+    spot.normal[static_cast<int>(random.below(3))] = random.below(2) ? 1 : -1;
+    spot.point = dvec3(sphere.centre) + double(sphere.radius) * spot.normal;
+    return spot;
+}
+
 Spot hard_spot(const Geometry& geometry, const PrimitiveRef& ref, Random& random) {
     switch (ref.kind) {
         case PrimitiveKind::triangle:
             return hard_spot(geometry.triangle(ref.index), random);
         case PrimitiveKind::sphere:
-            return spot_on(geometry.sphere(ref.index), random);
+            return hard_spot(geometry.sphere(ref.index), random);
         case PrimitiveKind::frustum:
             return spot_on(geometry.frustum(ref.index), random);
         case PrimitiveKind::polygon:
@@ -93,10 +103,17 @@ Spot hard_spot(const Geometry& geometry, const PrimitiveRef& ref, Random& random
 }
 
 /// A zero in a component or two, of either sign.
-void flatten(Ray& ray, Random& random) {
+void flatten(vec3& direction, Random& random) {
     for (std::uint32_t i = 0; i < 1 + random.below(2); ++i)
-        ray.direction[static_cast<int>(random.below(3))] = random.below(2) ? 0.0f : -0.0f;
-    if (!(taxicab(ray.direction) > 0)) ray.direction.y = 1;
+        direction[static_cast<int>(random.below(3))] = random.below(2) ? 0.0f : -0.0f;
+    if (!(taxicab(direction) > 0)) direction.y = 1;
+}
+
+/// Two components or three of the same size.
+void balance(vec3& direction, Random& random) {
+    const int one = static_cast<int>(random.below(3)), other = (one + 1) % 3, third = (one + 2) % 3;
+    direction[other] = std::copysign(direction[one], direction[other]);
+    if (random.below(2)) direction[third] = direction[one];
 }
 
 }  // namespace
@@ -139,7 +156,8 @@ Ray hard_ray(const Geometry& geometry, std::uint32_t primitive, Random& random) 
         ray.origin[axis] = random.below(2) ? box.lo[axis] : box.hi[axis];
         ray.direction[axis] = 0;
     }
-    if (choice == 3 || choice == 4) flatten(ray, random);
+    if (choice == 3) flatten(ray.direction, random);
+    if (choice == 4) balance(ray.direction, random);
     if (choice == 5) ray.direction = times(ray.direction, random.below(2) ? 0x1p-40f : 0x1p40f);
     if (choice == 6) ray.direction = vec3(spot.point) - ray.origin;
     if (!answerable(ray)) ray.direction = vec3(dvec3(random.unit()));

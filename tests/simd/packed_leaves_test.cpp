@@ -149,8 +149,14 @@ TEST(PackedLeaf, of_one_kind_is_its_blocks) {
         EXPECT_EQ(leaf.bits() >> 31, 0u);
     }
     EXPECT_FALSE(leaves.only_triangles());
-    EXPECT_EQ(leaves.address(triangles), &leaves.triangles(0));
-    EXPECT_EQ(leaves.address(spheres), &leaves.spheres(3));
+    const auto address = [&](PackedLeaf leaf) -> const void* {
+        return leaves.first() + PackedLeaves::offset(leaf);
+    };
+    EXPECT_EQ(address(triangles), &leaves.triangles(0));
+    EXPECT_EQ(address(spheres), &leaves.spheres(3));
+    EXPECT_EQ(address(more_triangles), &leaves.triangles(5));
+    EXPECT_EQ(more_triangles.after_first().first_block(), 6u);
+    EXPECT_EQ(more_triangles.after_first().block_count(), PackedLeaf::most_blocks - 1);
     EXPECT_EQ(leaves.triangles(2).live(), 1u);
     EXPECT_EQ(leaves.spheres(4).live(), 1u);
     EXPECT_EQ(leaves.bytes(), (5 + 8 + 2 + 9) * sizeof(LeafBlock) + 3 * 20);
@@ -169,6 +175,28 @@ TEST(PackedLeaf, the_last_one_of_each_kind_still_fits) {
     const auto last_mixed = PackedLeaf::mixed(PackedLeaf::most_mixed - 1);
     EXPECT_TRUE(last_mixed.is_mixed());
     EXPECT_EQ(last_mixed.number(), PackedLeaf::most_mixed - 1);
+}
+
+TEST(PackedLeaves, of_several_kinds_stop_after_the_kind_that_occludes) {
+    GeometryBuilder builder;
+    builder.add_frustum({vec3(0, 0, -1), 2, vec3(0, 0, 1), 2});
+    builder.add_sphere({vec3(0), 2});
+    builder.add_triangle(vec3(0, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1));
+    const Geometry geometry = std::move(builder).build();
+    LeafPacker packer(geometry);
+    const PackedLeaf leaf = packer.add(numbers(0, 3));
+    const PackedLeaves leaves = std::move(packer).build();
+    const auto tests = [&](const vec3& origin) {
+        const Answer answer =
+            cases::ask({origin, 0, vec3(1, 0, 0)}, [&](const Ray& r, Hit& hit, auto& count) {
+                leaves.test<Query::occluded>(leaf, leaves.prepared(r), hit, count);
+            });
+        EXPECT_NE(answer.hit.primitive, no_primitive);
+        return answer.counts[Event::object_test];
+    };
+    EXPECT_EQ(tests(vec3(-9, 0.25f, 0.25f)), 1u);
+    EXPECT_EQ(tests(vec3(-9, -0.25f, 0.25f)), 2u);
+    EXPECT_EQ(tests(vec3(-9, 1.99f, 0.9f)), 3u);
 }
 
 TEST(PackedLeaves, of_nothing_answer_nothing) {

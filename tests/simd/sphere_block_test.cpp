@@ -10,28 +10,46 @@ using cases::Answer;
 using cases::HardLeaf;
 using cases::Mixture;
 
+/// The first `size` spheres of a geometry, as one block.
+SphereBlock block_of(const Geometry& geometry, std::uint32_t size) {
+    SphereBlock block;
+    for (std::uint32_t i = 0; i < size; ++i) block.set(i, geometry.sphere(i), i);
+    return block;
+}
+
+/// Gives back the hit.
+Hit expect_like_the_shared_test(const Geometry& geometry, std::uint32_t size, const Ray& ray) {
+    const Answer wanted = cases::ask(ray, [&](const Ray& r, Hit& hit, auto& count) {
+        for (std::uint32_t i = 0; i < size; ++i)
+            test_primitive<Query::closest>(geometry, i, r, hit, count);
+    });
+    const SphereBlock block = block_of(geometry, size);
+    const Answer found = cases::ask(ray, [&](const Ray& r, Hit& hit, auto& count) {
+        test(block, TestRay(r, geometry.precision()), geometry.padding(), hit, count);
+    });
+    EXPECT_TRUE(cases::same_bits(found.hit, wanted.hit)) << cases::print(ray);
+    EXPECT_EQ(found.counts, wanted.counts) << cases::print(ray);
+    return found.hit;
+}
+
 TEST(SphereBlock, answers_like_the_shared_test_with_the_same_counts) {
     cases::Random random(1);
     std::size_t hits = 0;
     for (int i = 0; i < 20000; ++i) {
         const HardLeaf hard(Mixture::spheres, Precision::standard, random);
-        const Geometry& geometry = hard.geometry;
-        const std::uint32_t size = std::min(geometry.size(), 8u);
-        SphereBlock block;
-        for (std::uint32_t j = 0; j < size; ++j) block.set(j, geometry.sphere(j), j);
-        const Ray ray = cases::hard_ray(geometry, random.below(size), random);
-        const Answer wanted = cases::ask(ray, [&](const Ray& r, Hit& hit, auto& count) {
-            for (std::uint32_t j = 0; j < size; ++j)
-                test_primitive<Query::closest>(geometry, j, r, hit, count);
-        });
-        const Answer found = cases::ask(ray, [&](const Ray& r, Hit& hit, auto& count) {
-            test(block, TestRay(r, Precision::standard), geometry.padding(), hit, count);
-        });
-        ASSERT_TRUE(cases::same_bits(found.hit, wanted.hit)) << cases::print(ray);
-        ASSERT_EQ(found.counts, wanted.counts) << cases::print(ray);
-        hits += found.hit.primitive != no_primitive;
+        const std::uint32_t size = std::min(hard.geometry.size(), 8u);
+        const Ray ray = cases::hard_ray(hard.geometry, random.below(size), random);
+        const Hit hit = expect_like_the_shared_test(hard.geometry, size, ray);
+        hits += hit.primitive != no_primitive;
     }
     EXPECT_GT(hits, 5000u);
+}
+
+/// The first root is 0 / 0, the second 0.
+TEST(SphereBlock, is_hit_by_a_tangent_that_starts_where_it_touches) {
+    const Geometry geometry = cases::alone(Sphere{vec3(0), 1});
+    const Ray ray{vec3(1, 0, 0), -1, vec3(0, 1, 0)};
+    EXPECT_EQ(expect_like_the_shared_test(geometry, 1, ray), (Hit{0, 0, 0, 0}));
 }
 
 TEST(SphereBlock, gives_back_the_spheres_it_was_given) {
@@ -43,60 +61,40 @@ TEST(SphereBlock, gives_back_the_spheres_it_was_given) {
     EXPECT_EQ(block.sphere(3).radius, 7);
 }
 
-/// Both roots of one ray, none where double would have to decide.
-struct Roots {
-    std::array<float, 2> t{};
-    std::size_t count = 0;
-};
-Roots scalar_roots(const Sphere& sphere, const Ray& ray) {
-    Roots roots;
-    intersect_sphere<float>(ray.origin - sphere.centre, sphere.radius, ray.direction,
-                            [&](float t, float, float) { roots.t[roots.count++] = t; });
-    return roots;
-}
-
-/// Equal, or NaN both.
-bool same(float a, float b) {
-    return a == b ? std::signbit(a) == std::signbit(b) : a != a && b != b;
-}
-
 template <std::size_t Width>
 void expect_lanes_like_rays() {
     using namespace simd;
     using V = Floats<Width>;
     constexpr auto tag = floats<Width>;
     cases::Random random(2);
-    std::size_t met = 0;
+    std::size_t hits = 0;
     for (int i = 0; i < 40000; ++i) {
         const HardLeaf hard(Mixture::spheres, Precision::standard, random);
-        const Sphere& sphere = hard.geometry.sphere(0);
-        std::array<Ray, Width> rays;
-        std::array<std::array<float, Width>, 7> rows;
+        const Geometry& geometry = hard.geometry;
+        const cases::SideBySide<Width> wide(geometry, random);
+        const auto centre = everywhere<Width>(geometry.sphere(0).centre);
+        const V radius = hn::Set(tag, geometry.sphere(0).radius);
+        const WideRoots<V> sphere(centre, radius, wide.origin, wide.direction);
+        const auto trusted = sphere.trusted(wide.direction_size);
+        const auto found = clamped<V>({sphere.roots(), hn::And(trusted, sphere.met())}, centre,
+                                      radius, wide.origin, wide.inverse, geometry.padding());
+        const auto first = wide.store(found.t[0]), second = wide.store(found.t[1]);
         for (std::size_t j = 0; j < Width; ++j) {
-            rays[j] = cases::hard_ray(hard.geometry, 0, random);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                rows[axis][j] = rays[j].origin[static_cast<int>(axis)];
-                rows[axis + 3][j] = rays[j].direction[static_cast<int>(axis)];
-            }
-            rows[6][j] = taxicab(rays[j].direction);
-        }
-        const auto row = [&](std::size_t n) { return hn::LoadU(tag, rows[n].data()); };
-        const WideRoots<V> wide(everywhere<Width>(sphere.centre), hn::Set(tag, sphere.radius),
-                                {row(0), row(1), row(2)}, {row(3), row(4), row(5)});
-        const std::uint32_t trusted = bits(tag, wide.trusted(row(6)));
-        const std::uint32_t found = bits(tag, wide.met()) & trusted;
-        std::array<std::array<float, Width>, 2> t;
-        for (std::size_t n = 0; n < 2; ++n) hn::StoreU(wide.roots()[n], tag, t[n].data());
-        for (std::size_t j = 0; j < Width; ++j) {
-            if ((trusted >> j & 1) == 0) continue;
-            const Roots wanted = scalar_roots(sphere, rays[j]);
-            ASSERT_EQ(found >> j & 1, wanted.count / 2) << cases::print(rays[j]);
-            for (std::size_t n = 0; n < wanted.count; ++n)
-                ASSERT_TRUE(same(t[n][j], wanted.t[n])) << cases::print(rays[j]);
-            met += wanted.count / 2;
+            if ((bits(tag, trusted) >> j & 1) == 0) continue;
+            const Answer wanted =
+                cases::ask(wide.rays[j], [&](const Ray& r, Hit& hit, auto& count) {
+                    test_primitive<Query::closest>(geometry, 0, r, hit, count);
+                });
+            const bool met = (bits(tag, found.met) >> j & 1) != 0;
+            Hit hit = nothing_yet(wide.rays[j]);
+            if (met) accept({first[j], 0, 0, 0}, wide.rays[j].t_min, hit);
+            if (met) accept({second[j], 0, 0, 0}, wide.rays[j].t_min, hit);
+            ASSERT_TRUE(cases::same_bits(hit, wanted.hit)) << cases::print(wide.rays[j]);
+            ASSERT_EQ(met, wanted.counts[Event::object_hit] == 1) << cases::print(wide.rays[j]);
+            hits += met;
         }
     }
-    EXPECT_GT(met, 5000 * Width);
+    EXPECT_GT(hits, 5000 * Width);
 }
 
 TEST(WideRoots, rays_side_by_side_meet_a_sphere_where_each_alone_does) {
