@@ -49,7 +49,6 @@ private:
         const Packet* packet = nullptr;
         std::size_t first_of_packet = 0;
         const Halts* left = nullptr;
-
     };
 
     void start(Flight& flight, const Part& part, std::size_t i) const;

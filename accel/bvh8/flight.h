@@ -81,11 +81,11 @@ struct alignas(64) Flight {
     struct Crossing {
         alignas(32) std::array<float, WideNode::width> entries;  ///< into each child
         const WideNode* node;
-        std::uint32_t places;  ///< of the children that are met, a bit each
+        std::uint32_t places;   ///< of the children that are met, a bit each
         std::uint32_t nearest;  ///< place of the one that is met first, if any
     } crossing;
     vec3 origin;
-    vec3 towards;                           ///< - 1 / direction
+    vec3 towards;                            ///< - 1 / direction
     std::array<std::uint32_t, 3> near, far;  ///< first floats of the planes that the ray meets
     TestRay ray{Ray{}, Precision::standard};
     Hit hit;

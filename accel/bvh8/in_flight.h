@@ -125,7 +125,7 @@ inline void Bvh8::visit_triangles(Departures& departures, Flight* flights, C& co
             numbers[together] = static_cast<std::size_t>(std::countr_zero(departures.to_triangles));
             departures.to_triangles &= departures.to_triangles - 1;
             Flight& flight = flights[numbers[together]];
-            pairs[together] = {&flight.ray, &flight.hit, 
+            pairs[together] = {&flight.ray, &flight.hit,
                                &leaves_.triangles(flight.next.leaf().first_block())};
         }
         test(pairs, together, leaves_.padding(), count);

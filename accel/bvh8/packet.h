@@ -256,10 +256,9 @@ inline void Packet::offer(std::size_t first, Mask inside, const WideSums<V>& sum
     constexpr auto word = words<group>;
     const Box box = bounds(triangle);
     const auto lo = everywhere<group>(box.lo), hi = everywhere<group>(box.hi);
-    const auto [t, met] = clamped<V>({hn::Div(sums.t, sums.det), inside},
-                                     everywhere<group>(triangle.a),
-                                     {lo.x, lo.y, lo.z, hi.x, hi.y, hi.z}, origin_.from(first),
-                                     inverse_.from(first), padding);
+    const auto [t, met] = clamped<V>(
+        {hn::Div(sums.t, sums.det), inside}, everywhere<group>(triangle.a),
+        {lo.x, lo.y, lo.z, hi.x, hi.y, hi.z}, origin_.from(first), inverse_.from(first), padding);
     if constexpr (C::counts) count(Event::object_hit, hn::CountTrue(tag, met));
     const V best = row(t_, first);
     const auto number = hn::Set(word, primitive), holder = hn::Load(word, &primitive_[first]);
@@ -283,8 +282,7 @@ inline void Packet::test_alone(std::size_t i, const Triangle& triangle, std::uin
     Hit best = hit(i);
     bool met = false;
     intersect_in_double(triangle, ray, [&](float t, float u, float v) {
-        met |= rayshoot::offer(t, u, v, primitive, padded(bounds(triangle), padding), ray,
-                                best);
+        met |= rayshoot::offer(t, u, v, primitive, padded(bounds(triangle), padding), ray, best);
     });
     if constexpr (C::counts) count(Event::object_hit, met);
     t_[i] = best.t;

@@ -30,9 +30,9 @@ inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch&
         } else {
             const std::span<const Ray> rays =
                 part.rays.subspan(section.first_ray(), section.end_ray() - section.first_ray());
-            trace_each<Q>({rays, part.first + section.first_ray(), &packet, section.first_ray(),
-                           &halts},
-                          answers, scratch, count);
+            trace_each<Q>(
+                {rays, part.first + section.first_ray(), &packet, section.first_ray(), &halts},
+                answers, scratch, count);
         }
     }
 }

@@ -76,7 +76,8 @@ public:
     /// early; to no avail for a mixed leaf.
     const std::byte* first() const { return reinterpret_cast<const std::byte*>(blocks_.data()); }
     static std::size_t offset(PackedLeaf leaf) {
-        return std::size_t{leaf.bits() % (PackedLeaf::most_sphere_blocks * PackedLeaf::most_blocks) /
+        return std::size_t{leaf.bits() %
+                           (PackedLeaf::most_sphere_blocks * PackedLeaf::most_blocks) /
                            PackedLeaf::most_blocks} *
                sizeof(LeafBlock);
     }

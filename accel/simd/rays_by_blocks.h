@@ -37,6 +37,14 @@ inline V load(At&& at) {
     else return hn::Combine(tag, two(2), two(0));
 }
 
+/// The numbers of each ray's triangles.
+inline simd::Words<lanes> numbers(const RaysAndBlocks& pairs) {
+    return simd::hn::BitCast(
+        word, load([&](std::size_t i) {
+            return reinterpret_cast<const float*>(pairs[i].block->primitive.data());
+        }));
+}
+
 /// The first three values of each quad, each in all lanes of its quad.
 inline simd::Vectors<V> vectors(V quads) {
     using namespace simd;
@@ -61,6 +69,39 @@ inline V chosen(decltype(simd::hn::Lt(V{}, V{})) mask, V v) {
 
 }  // namespace quads
 
+/// Rules 3 and 4 of core/README.md for each ray: the nearest triangle that is met, of equally near
+/// ones that with the smallest number, if it comes before the ray's hit so far. `u` and `v` are of
+/// every lane.
+inline void accept_nearest(const RaysAndBlocks& pairs, const WideHit<quads::V>& hit, quads::V u,
+                           quads::V v) {
+    using namespace simd;
+    using quads::tag, quads::word, quads::V;
+    const V limits = quads::load([&](std::size_t i) { return &pairs[i].ray->direction_size; });
+    const auto eligible = hn::And(hit.met, hn::Gt(hit.t, hn::Broadcast<1>(limits)));  // t_min
+    const V t = quads::least(hn::IfThenElse(eligible, hit.t, hn::Set(tag, infinity)));
+    const auto tied = hn::And(eligible, hn::Eq(hit.t, t));
+    const auto numbers = quads::numbers(pairs);
+    const auto number = quads::least(
+        hn::IfThenElse(hn::RebindMask(word, tied), numbers, hn::Set(word, no_primitive)));
+    const auto nearest = hn::And(tied, hn::RebindMask(tag, hn::Eq(number, numbers)));
+    const V before = quads::load([&](std::size_t i) { return &pairs[i].hit->t; });
+    const V t_before = hn::Broadcast<0>(before);
+    const auto number_before = hn::BitCast(word, hn::Broadcast<1>(before));
+    const auto smaller_number = hn::RebindMask(tag, hn::Lt(number, number_before));
+    const auto accepted = hn::Or(hn::Lt(t, t_before), hn::And(hn::Eq(t, t_before), smaller_number));
+    const auto place = hn::And(hn::Iota(word, 0), hn::Set(word, 3));
+    const auto at = [&](std::uint32_t i) {
+        return hn::RebindMask(tag, hn::Eq(place, hn::Set(word, i)));
+    };
+    const V found = hn::IfThenElse(at(0), t,
+                                   hn::IfThenElse(at(1), hn::BitCast(tag, number),
+                                                  hn::IfThenElse(at(2), quads::chosen(nearest, u),
+                                                                 quads::chosen(nearest, v))));
+    alignas(64) std::array<Hit, rays_by_blocks> hits;
+    hn::Store(hn::IfThenElse(accepted, found, before), tag, &hits[0].t);
+    for (std::size_t i = 0; i < pairs.size(); ++i) *pairs[i].hit = hits[i];
+}
+
 /// For the first `size` of them what test() of triangle_block.h does: the same bits.
 template <Counter C>
 inline void test(RaysAndBlocks& pairs, std::size_t size, float padding, C& count) {
@@ -72,69 +113,30 @@ inline void test(RaysAndBlocks& pairs, std::size_t size, float padding, C& count
     const auto corner = [&](std::size_t row) {
         return quads::load([&](std::size_t i) { return pairs[i].block->corner[row].data(); });
     };
-    const auto of_rays = [&](auto&& first) {
-        return quads::load([&](std::size_t i) { return first(*pairs[i].ray); });
-    };
     const Vectors<V> a{corner(0), corner(1), corner(2)}, b{corner(3), corner(4), corner(5)},
         c{corner(6), corner(7), corner(8)}, e1 = b - a, e2 = c - a;
-    const V origins = of_rays([](const TestRay& ray) { return &ray.origin.x; });
-    const V directions = of_rays([](const TestRay& ray) { return &ray.direction.x; });
+    const V origins = quads::load([&](std::size_t i) { return &pairs[i].ray->origin.x; });
+    const V directions = quads::load([&](std::size_t i) { return &pairs[i].ray->direction.x; });
     const Vectors<V> origin = quads::vectors(origins), direction = quads::vectors(directions);
     const WideSums<V> sums(a, e1, e2, origin, direction);
     const V sizes = hn::Mul(taxicab(e1), taxicab(e2));
     const auto trusted = sums.trusted(hn::Mul(sizes, hn::Broadcast<3>(directions)));
-
-    const Vectors<V> inverse =
-        quads::vectors(of_rays([](const TestRay& ray) { return &ray.inverse.x; }));
-    const auto hit = clamped<V>({hn::Div(sums.t, sums.det), hn::And(trusted, sums.inside())}, a,
-                                triangle_bounds(a, b, c), origin, inverse, padding);
-    const auto [t, met] = hit;
-
-    // The nearest that is met: of equally near ones the one with the smallest number.
-    const V limits = of_rays([](const TestRay& ray) { return &ray.direction_size; });
-    const auto eligible = hn::And(met, hn::Gt(t, hn::Broadcast<1>(limits)));
-    const V nearest = quads::least(hn::IfThenElse(eligible, t, hn::Set(tag, infinity)));
-    const auto numbers = hn::BitCast(word, quads::load([&](std::size_t i) {
-        return reinterpret_cast<const float*>(pairs[i].block->primitive.data());
-    }));
-    const auto tied = hn::And(eligible, hn::Eq(t, nearest));
-    const auto number = quads::least(
-        hn::IfThenElse(hn::RebindMask(word, tied), numbers, hn::Set(word, no_primitive)));
-    const auto best = hn::And(tied, hn::RebindMask(tag, hn::Eq(number, numbers)));
-    const V hits = quads::load([&](std::size_t i) { return &pairs[i].hit->t; });
-    const V limit = hn::Broadcast<0>(hits);
-    const auto limit_number = hn::BitCast(word, hn::Broadcast<1>(hits));
-    const auto accepted =
-        hn::Or(hn::Lt(nearest, limit),
-               hn::And(hn::Eq(nearest, limit), hn::RebindMask(tag, hn::Lt(number, limit_number))));
-    const V u = quads::chosen(best, hn::Div(sums.u, sums.det));
-    const V v = quads::chosen(best, hn::Div(sums.v, sums.det));
-    alignas(64) static constexpr std::array<std::uint32_t, 16> places{0, 1, 2, 3, 0, 1, 2, 3,
-                                                                      0, 1, 2, 3, 0, 1, 2, 3};
-    const auto place = hn::Load(word, places.data());
-    const auto at = [&](std::uint32_t i) {
-        return hn::RebindMask(tag, hn::Eq(place, hn::Set(word, i)));
-    };
-    const V found = hn::IfThenElse(
-        at(0), nearest,
-        hn::IfThenElse(at(1), hn::BitCast(tag, number), hn::IfThenElse(at(2), u, v)));
-    alignas(64) std::array<Hit, rays_by_blocks> results;
-    hn::Store(hn::IfThenElse(accepted, found, hits), tag, &results[0].t);
-    for (std::size_t i = 0; i < pairs.size(); ++i) *pairs[i].hit = results[i];
-
-    const auto live = hn::RebindMask(tag, hn::Ne(numbers, hn::Set(word, no_primitive)));
-    if constexpr (C::counts) {
-        count(Event::object_test, hn::CountTrue(tag, live));
-        count(Event::object_hit, hn::CountTrue(tag, met));
-    }
+    const auto inside = hn::And(trusted, sums.inside());
+    const auto live =
+        hn::RebindMask(tag, hn::Ne(quads::numbers(pairs), hn::Set(word, no_primitive)));
+    if constexpr (C::counts) count(Event::object_test, hn::CountTrue(tag, live));
+    const V inverses = quads::load([&](std::size_t i) { return &pairs[i].ray->inverse.x; });
+    const auto hit = clamped<V>({hn::Div(sums.t, sums.det), inside}, a, triangle_bounds(a, b, c),
+                                origin, quads::vectors(inverses), padding);
+    if constexpr (C::counts) count(Event::object_hit, hn::CountTrue(tag, hit.met));
+    accept_nearest(pairs, hit, hn::Div(sums.u, sums.det), hn::Div(sums.v, sums.det));
     const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, live));
-    if (untrusted == 0) [[likely]] return;
-    for (std::uint32_t rest = untrusted; rest != 0; rest &= rest - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-        const RayAndBlock& pair = pairs[lane / TriangleBlock::width];
-        test_in_double(*pair.block, lane % TriangleBlock::width, *pair.ray, padding, *pair.hit,
-                       count);
-    }
+    for (std::uint32_t rest = untrusted; rest != 0; rest &= rest - 1) [[unlikely]] {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+            const RayAndBlock& pair = pairs[lane / TriangleBlock::width];
+            test_in_double(*pair.block, lane % TriangleBlock::width, *pair.ray, padding, *pair.hit,
+                           count);
+        }
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -152,9 +152,9 @@ inline void test(const TriangleBlock& block, const TestRay& ray, float padding, 
         count(Event::object_hit, static_cast<std::uint64_t>(std::popcount(answer.met)));
     }
     accept_lanes(block, answer, ray.t_min, hit);
-    for (std::uint32_t rest = answer.untrusted; rest != 0; rest &= rest - 1) [[unlikely]]
-        test_in_double(block, static_cast<std::size_t>(std::countr_zero(rest)), ray, padding, hit,
-                       count);
+    for (std::uint32_t rest = answer.untrusted; rest != 0; rest &= rest - 1)
+        [[unlikely]] test_in_double(block, static_cast<std::size_t>(std::countr_zero(rest)), ray,
+                                    padding, hit, count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
