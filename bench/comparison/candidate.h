@@ -16,7 +16,6 @@ struct Candidate {
     std::string refusal, error;
 
     bool is_oracle() const { return spec == oracle_spec; }
-    bool is_embree() const { return spec == "embree" || spec.starts_with("embree:"); }
 };
 
 /// Builds it, again and again up to `repetitions` times while that is quick.

@@ -62,7 +62,7 @@ private:
         StreamResult result = compare_stream(context, candidates, control_, progress_);
         comparison_.streams.push_back(result.summary);
         if (plan_.adaptor_cost && std::ranges::any_of(candidates, [](const Candidate& candidate) {
-                return candidate.is_embree() && candidate.accel;
+                return is_embree(candidate.spec) && candidate.accel;
             })) {
             for (auto& row : adaptor_cost(input.geometry, stream, plan_.repetitions)) {
                 comparison_.adaptor.push_back(std::move(row));

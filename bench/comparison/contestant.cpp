@@ -76,7 +76,6 @@ std::list<Contestant> contestants_of(const StreamContext& context,
             progress.advance("check " + to_string(row.name));
             Contestant& contestant = contestants.emplace_back();
             contestant.row = std::move(row);
-            contestant.embree = candidate.is_embree();
             qualify(context, candidate, gate, contestant);
         }
     }

@@ -25,6 +25,8 @@ struct ComparisonPlan {
     std::size_t batch = default_batch;
     bool adaptor_cost = false;  ///< measure what our interface costs Embree, too
     bool warm = false;          ///< rows on kept sessions as well
+    double void_above = 0.05;   ///< a run whose control kernel moved further is void
+    std::string protocol;       ///< what set the defaults (protocol.h); empty: none
     std::uint64_t seed = 1;
 
     bool wants(const std::string& row) const { return rows.empty() || rows.contains(row); }

@@ -93,6 +93,8 @@ Json to_json(const Row& row) {
     result["seconds_samples"] = row.samples;
     result["mrays_per_second"] = to_json(row.mrays_per_second);
     result["ratio_to_embree"] = to_json(row.ratio_to_embree);
+    result["ratio_to_best_embree"] = to_json(row.ratio_to_best_embree);
+    result["best_embree"] = text_or_null(row.best_embree);
     result["refusal"] = text_or_null(row.refusal);
     result["error"] = text_or_null(row.error);
     return result;

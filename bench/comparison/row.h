@@ -27,7 +27,9 @@ struct Row {
     Verdict verdict;
     std::vector<double> samples;  ///< seconds a pass, one per block
     std::optional<Estimate> mrays_per_second;
-    std::optional<Estimate> ratio_to_embree;
+    std::optional<Estimate> ratio_to_embree;       ///< to the first of Embree's rows
+    std::optional<Estimate> ratio_to_best_embree;  ///< to the one with the highest median
+    std::string best_embree;                       ///< its spec; empty: no Embree in the run
     std::string refusal;  ///< why the structure cannot take the scene; not an error
     std::string error;    ///< why there is no time: the gate's reason, or a failed build
 

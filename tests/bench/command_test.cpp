@@ -157,6 +157,61 @@ TEST(Bench, has_the_documented_keys) {
     EXPECT_EQ(measured.out.find('/' + std::string("tmp")), std::string::npos) << "no paths";
 }
 
+TEST(Bench, keeps_what_the_control_kernel_did_and_whether_the_run_is_void) {
+    for (const bool strict : {true, false}) {
+        const Call measured = small_bench({"--structure", "bvh", "--rays", "camera,random",
+                                           "--void-above", strict ? "1e-9" : "1e9"});
+        ASSERT_EQ(measured.code, 0) << measured.err;
+        const Json document = measured.json();
+        const Json& control = document["control"];
+        expect_keys(control, {"blocks", "block_seconds", "median_seconds", "moved", "void_above"});
+        EXPECT_EQ(control["blocks"], 4);
+        EXPECT_GT(control["moved"], 0);
+        EXPECT_EQ(control["void"], strict);
+        EXPECT_EQ(document["rows"].size(), 2u);
+        EXPECT_GT(document["streams"][0]["control_moved"], 0);
+    }
+}
+
+TEST(Bench, compares_every_row_with_the_fastest_of_embree_s) {
+    const Call measured =
+        small_bench({"--structure", "bvh", "embree", "embree:kernel=single", "--rays", "camera"});
+    if (measured.err.find("no structure 'embree'") != std::string::npos) GTEST_SKIP();
+    ASSERT_EQ(measured.code, 0) << measured.err;
+    const Json document = measured.json();
+    double best = 0;
+    std::string name;
+    for (const Json& row : document["rows"]) {
+        const double rate = row["mrays_per_second"]["median"];
+        if (row["structure"] != "bvh" && rate > best) {
+            best = rate;
+            name = row["structure"];
+        }
+    }
+    for (const Json& row : document["rows"]) {
+        EXPECT_EQ(row["best_embree"], name);
+        if (row["structure"] == name) {
+            EXPECT_EQ(row["ratio_to_best_embree"]["median"], 1);
+        }
+        EXPECT_GT(row["ratio_to_best_embree"]["low"], 0);
+    }
+    EXPECT_EQ(document["over_best_embree"]["means"].size(), 3u);
+}
+
+TEST(Bench, protocol_is_what_other_options_leave_open) {
+    const Call measured =
+        call({"bench", "--protocol", "speed", "--scene", "soup:count=50", "--structure", "bvh",
+              "--size", "16x16", "--rays", "camera", "--json"});
+    if (measured.err.find("no structure 'embree'") != std::string::npos) GTEST_SKIP();
+    const Json document = measured.json();
+    EXPECT_EQ(document["settings"]["protocol"], "speed");
+    EXPECT_EQ(document["settings"]["repetitions"], 15);
+    ASSERT_GT(document["rows"].size(), 5u);
+    EXPECT_EQ(document["rows"][0]["structure"], "bvh");
+    EXPECT_EQ(document["rows"][0]["seconds_samples"].size(), 15u);
+    EXPECT_EQ(document["rows"][1]["structure"], "embree");
+}
+
 TEST(Bench, a_wrong_structure_is_an_error_row_and_never_timed) {
     const Call measured = small_bench({"--structure", "bvh", "wrong", "off", "--rays", "camera"});
     EXPECT_EQ(measured.code, 1);
