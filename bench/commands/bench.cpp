@@ -19,6 +19,7 @@ struct BenchArguments {
     PlanOptions plan;
     std::string out, results;
     double void_above = 5;  ///< percent
+    int builds = 3;
     bool json = false;
 };
 
@@ -40,6 +41,8 @@ int bench(const BenchArguments& arguments, const Invocation& invocation) {
     if (!arguments.results.empty()) require_results_root(arguments.results);
     ComparisonPlan plan = make_plan(invocation.catalogue, arguments.plan);
     plan.void_above = share_of(arguments.void_above);
+    plan.builds = arguments.builds;
+    require_valid(invocation.catalogue, plan);
     const Comparison comparison = compare(invocation.catalogue, plan);
     const nlohmann::ordered_json document = to_document(plan, comparison);
     if (!arguments.out.empty()) write_whole_file(arguments.out, document.dump(2) + "\n");
@@ -66,6 +69,8 @@ void add_bench(CLI::App& app, Invocation& invocation) {
                         "What is not given by other options is this protocol's. speed: bvh8 "
                         "against all of Embree's paths and build qualities on six scenes, in 15 "
                         "blocks; once for each number of threads, in a process of its own");
+    command->add_option("--builds", arguments->builds,
+                        "Builds of each structure, in turns, at least (3)");
     command->add_option("--void-above", arguments->void_above,
                         "A run is marked void when the control kernel moved by more percent (5)");
     command->add_option("--out", arguments->out, "Write the raw results to this JSON file");

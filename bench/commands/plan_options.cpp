@@ -24,7 +24,8 @@ void add_plan_options(CLI::App& command, PlanOptions& options) {
                        "exact, may be repeated");
     command.add_option("--size", options.size, "WxH of the image rays are recorded from (384x384)");
     command.add_option("--spp", options.spp, "Camera rays per pixel (1)");
-    command.add_option("--threads", options.threads, "Threads of what is timed (1)");
+    command.add_option("--threads", options.threads,
+                       "Threads of what is timed, builds as well (1)");
     command.add_option("--repetitions", options.repetitions, "Blocks of every structure once (11)");
     command.add_option("--batch", options.batch, "Rays in a batch (1024)");
     command.add_option("--seed", options.seed, "Seed of samples and orders (1)");

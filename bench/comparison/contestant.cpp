@@ -26,6 +26,7 @@ Row blank_row(const StreamContext& context, const Candidate& candidate, std::str
     row.batch = context.plan.batch;
     row.rays = row.timed_rays = context.stream.size();
     row.build_samples = candidate.build_samples;
+    row.build_peaks = candidate.build_peaks;
     if (candidate.accel) row.footprint = candidate.accel->footprint();
     row.refusal = candidate.refusal;
     if (context.stream.size() == 0) row.refusal = "the scene gives no rays of this kind";

@@ -15,6 +15,7 @@ Json settings(const ComparisonPlan& plan) {
             {"spp", plan.format.spp},
             {"threads", plan.threads},
             {"repetitions", plan.repetitions},
+            {"builds", plan.builds},
             {"batch", plan.batch},
             {"seed", plan.seed},
             {"confidence", default_confidence},

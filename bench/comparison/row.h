@@ -19,9 +19,10 @@ struct Row {
     std::uint64_t primitives = 0;
     int threads = 1;
     std::size_t batch = default_batch;
-    std::size_t rays = 0;               ///< of the stream
-    std::size_t timed_rays = 0;         ///< fewer for a structure that is timed on a sample
-    std::vector<double> build_samples;  ///< seconds
+    std::size_t rays = 0;                    ///< of the stream
+    std::size_t timed_rays = 0;              ///< fewer for a structure that is timed on a sample
+    std::vector<double> build_samples;       ///< seconds
+    std::vector<std::uint64_t> build_peaks;  ///< bytes; fewer than builds where not measurable
     Footprint footprint;
     std::optional<StreamCounts> counts;
     Verdict verdict;
@@ -36,6 +37,10 @@ struct Row {
     bool sampled() const { return timed_rays < rays; }
     /// Mrays/s of each block.
     std::vector<double> rates() const;
+    /// Million primitives per second of the builds; nothing when there was none, or of nothing.
+    std::optional<Estimate> build_rate() const;
+    /// The median of build_peaks, bytes.
+    std::optional<double> build_peak() const;
 };
 
 /// The keys that the project's README documents, and more.

@@ -75,6 +75,7 @@ std::vector<BadInput> table() {
         {with(bench, {"--threads", "100000"}), "100000"},
         {with(bench, {"--row", "bvh"}), "bvh"},
         {with(bench, {"--row", "rays/soup:count=9/bvhh/camera"}), "bvhh"},
+        {with(bench, {"--builds", "0"}), "builds"},
         {with(bench, {"--void-above", "0"}), "--void-above"},
         {with(bench, {"--void-above", "nan"}), "--void-above"},
         {{"bench", "--protocol", "fastest"}, "speed"},

@@ -212,6 +212,34 @@ TEST(Bench, protocol_is_what_other_options_leave_open) {
     EXPECT_EQ(document["rows"][1]["structure"], "embree");
 }
 
+TEST(Bench, builds_in_turns_with_the_threads_of_the_run) {
+    for (const int threads : {1, 2}) {
+        const Call measured = small_bench({"--structure", "lanes", "bvh", "--rays", "camera",
+                                           "--builds", "4", "--threads", std::to_string(threads)});
+        ASSERT_EQ(measured.code, 0) << measured.err;
+        const Json document = measured.json();
+        EXPECT_EQ(document["settings"]["builds"], 4);
+        EXPECT_EQ(document["rows"][0]["bytes"], threads);
+        for (const Json& row : document["rows"]) EXPECT_GE(row["build_samples"].size(), 4u);
+    }
+}
+
+TEST(Bench, has_build_rate_and_peak_memory_or_null) {
+    const Call measured = call({"bench", "--scene", "soup:count=30000", "--structure", "bvh",
+                                "--rays", "random", "--size", "16x16", "--json"});
+    ASSERT_EQ(measured.code, 0) << measured.err;
+    const Json document = measured.json();
+    const Json& row = document["rows"][0];
+    const double rate = row["build_mprimitives_per_second"]["median"];
+    EXPECT_NEAR(rate * row["build_seconds"].get<double>(), 0.03, 1e-6);
+    if (!row["build_peak_bytes"].is_null()) {
+        EXPECT_GT(row["build_peak_bytes"], row["bytes"]);
+        EXPECT_LT(row["build_peak_bytes"], 4096 * 30000);
+    }
+    const Json tiny = small_bench({"--structure", "bvh", "--rays", "camera"}).json();
+    EXPECT_TRUE(tiny["rows"][0]["build_peak_bytes"].is_null());
+}
+
 TEST(Bench, a_wrong_structure_is_an_error_row_and_never_timed) {
     const Call measured = small_bench({"--structure", "bvh", "wrong", "off", "--rays", "camera"});
     EXPECT_EQ(measured.code, 1);
