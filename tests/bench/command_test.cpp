@@ -277,6 +277,28 @@ TEST(Bench, counts_are_the_same_for_one_thread_and_two) {
     }
 }
 
+TEST(Limits, of_a_tiny_scene_has_the_documented_keys) {
+    const Call measured =
+        call({"limits", "--scene", "soup:count=50", "--structure", "bvh8", "--rays", "random",
+              "--size", "16x16", "--repetitions", "2", "--largest", "1", "--json"});
+    ASSERT_EQ(measured.code, 0) << measured.err;
+    const Json document = measured.json();
+    EXPECT_EQ(document["document"], "limits");
+    expect_keys(document["machine"], {"cycles_per_ns", "latency", "throughput"});
+    EXPECT_EQ(document["machine"]["latency"].size(), 4u);
+    ASSERT_EQ(document["costs"].size(), 2u);
+    for (const Json& way : document["costs"]) {
+        expect_keys(way, {"way", "structure", "ns_per_ray", "cycles_per_step", "cycles_per_leaf"});
+        EXPECT_GT(way["ns_per_step"].get<double>() + way["ns_per_leaf"].get<double>(), 0);
+        EXPECT_GE(way["residual"], 0);
+        EXPECT_GT(way["samples"].size(), 8u);
+    }
+    ASSERT_EQ(document["bounds"].size(), 1u);
+    EXPECT_GT(document["bounds"][0]["mrays_per_second"]["alone"], 0);
+    ASSERT_EQ(document["shares"].size(), 3u);
+    EXPECT_GT(document["shares"][2]["share"]["in flight"], 0);
+}
+
 TEST(Report, makes_the_same_tables_again_from_raw_results) {
     const auto folder = fresh_folder("report");
     const std::string raw = (folder / "raw.json").string();
