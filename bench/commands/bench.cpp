@@ -74,8 +74,10 @@ void add_bench(CLI::App& app, Invocation& invocation) {
     command->add_option("--void-above", arguments->void_above,
                         "A run is marked void when the control kernel moved by more percent (5)");
     command->add_option("--out", arguments->out, "Write the raw results to this JSON file");
-    command->add_option("--results", arguments->results,
-                        "Write raw results and tables to a folder <date>-<processor> in this one");
+    command->add_option(
+        "--results", arguments->results,
+        "Write raw results and tables to a folder <date>-<processor> in this one; of a "
+        "protocol: <date>-<processor>-<protocol>-threads-<threads>");
     command->add_flag("--json", arguments->json, "One JSON document on standard output");
     command->callback([arguments, &invocation] {
         invocation.chosen = [arguments, &invocation] { return bench(*arguments, invocation); };
