@@ -1,7 +1,7 @@
 # Targets `format` and `format_check`: every own source and header, by .clang-format.
 find_program(RAYSHOOT_CLANG_FORMAT NAMES clang-format-14 clang-format)
 if(RAYSHOOT_CLANG_FORMAT AND PROJECT_IS_TOP_LEVEL)
-    foreach(folder IN ITEMS accel data tracer bench tests version)
+    foreach(folder IN ITEMS accel data tracer bench tests examples version)
         list(APPEND patterns "${folder}/*.h" "${folder}/*.cpp")
     endforeach()
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" ${patterns})

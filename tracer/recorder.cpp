@@ -105,7 +105,6 @@ RecordedStreams record_streams(const Scene& scene, const Accel& accel, const Ima
     const Tiles tiles(format, settings.batch);
     for (std::size_t i = 0; i < tiles.size(); ++i) wavefront.trace(tiles.tile(i));
 
-    const bool anything = scene.geometry.size() > 0;
     for (std::size_t i = 0; i < streams.camera.rays.size(); ++i) {
         const RandomSequence random(format.seed, static_cast<std::uint32_t>(i), 0);
         const Hit& hit = recording.camera_hits()[i];
@@ -113,9 +112,20 @@ RecordedStreams record_streams(const Scene& scene, const Accel& accel, const Ima
         if (hit.primitive != no_primitive) {
             streams.diffuse.rays.push_back(diffuse_bounce(scene, ray, hit, random));
         }
-        if (anything) streams.random.rays.push_back(chord(scene.geometry.bounds(), random));
     }
+    streams.random.rays =
+        random_chords(scene.geometry.bounds(), streams.camera.rays.size(), format.seed);
     return streams;
+}
+
+std::vector<Ray> random_chords(const Box& bounds, std::size_t count, std::uint32_t seed) {
+    std::vector<Ray> rays;
+    if (bounds.empty()) return rays;
+    rays.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        rays.push_back(chord(bounds, RandomSequence(seed, static_cast<std::uint32_t>(i), 0)));
+    }
+    return rays;
 }
 
 }  // namespace rayshoot

@@ -28,4 +28,9 @@ struct RecordedStreams {
 /// Throws like render.
 RecordedStreams record_streams(const Scene& scene, const Accel& accel, const ImageFormat& format);
 
+/// `count` rays from point to point, both uniform on the sphere round `bounds`: isotropic. The
+/// random rays of record_streams for images of `count` camera rays, so what was timed on these can
+/// be compared with what `rayshoot bench --rays random` reports. None for empty bounds.
+std::vector<Ray> random_chords(const Box& bounds, std::size_t count, std::uint32_t seed = 0);
+
 }  // namespace rayshoot

@@ -1,10 +1,14 @@
 #include "bench/commands/plan_options.h"
 
 #include "bench/commands/arguments.h"
+#include "bench/comparison/protocol.h"
 #include "bench/comparison/standard.h"
 #include "bench/output/machine.h"
+#include "data/scenes.h"
 
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
 
 namespace rayshoot {
 
@@ -20,7 +24,8 @@ void add_plan_options(CLI::App& command, PlanOptions& options) {
                        "exact, may be repeated");
     command.add_option("--size", options.size, "WxH of the image rays are recorded from (384x384)");
     command.add_option("--spp", options.spp, "Camera rays per pixel (1)");
-    command.add_option("--threads", options.threads, "Threads of what is timed (1)");
+    command.add_option("--threads", options.threads,
+                       "Threads of what is timed, builds as well (1)");
     command.add_option("--repetitions", options.repetitions, "Blocks of every structure once (11)");
     command.add_option("--batch", options.batch, "Rays in a batch (1024)");
     command.add_option("--seed", options.seed, "Seed of samples and orders (1)");
@@ -30,6 +35,37 @@ void add_plan_options(CLI::App& command, PlanOptions& options) {
     command.add_flag("--standard", options.standard,
                      "The standard scenes, all structures, and --adaptor-cost");
 }
+
+namespace {
+
+/// Before anything is measured, not when its turn comes.
+void require_here(const std::vector<std::string>& scenes) {
+    for (const SceneInfo& known : list_scenes()) {
+        const auto asked = [&](const std::string& scene) {
+            return scene.substr(0, scene.find(':')) == known.name;
+        };
+        if (known.available || std::ranges::none_of(scenes, asked)) continue;
+        throw std::invalid_argument("the protocol needs " + known.name +
+                                    "; to get it: " + known.command);
+    }
+}
+
+/// What the options leave open is the protocol's; its yardsticks are always in.
+void follow(const Protocol& protocol, const PlanOptions& options, ComparisonPlan& plan) {
+    plan.protocol = protocol.name;
+    if (options.scenes.empty()) plan.scenes = protocol.scenes;
+    plan.structures = options.structures.empty() ? protocol.structures : options.structures;
+    plan.structures.insert(plan.structures.end(), protocol.yardsticks.begin(),
+                           protocol.yardsticks.end());
+    require_here(plan.scenes);
+    plan.repetitions = options.repetitions.value_or(protocol.least_repetitions);
+    if (plan.repetitions >= protocol.least_repetitions) return;
+    throw std::invalid_argument("the protocol \"" + protocol.name + "\" takes at least " +
+                                std::to_string(protocol.least_repetitions) + " repetitions, not " +
+                                std::to_string(plan.repetitions));
+}
+
+}  // namespace
 
 ComparisonPlan make_plan(const Catalogue& catalogue, const PlanOptions& options) {
     ComparisonPlan plan;
@@ -43,11 +79,12 @@ ComparisonPlan make_plan(const Catalogue& catalogue, const PlanOptions& options)
     plan.format = stream_format(options.size, options.spp);
     plan.threads = require_threads(options.threads);
     plan.gate_threads = processor_count();
-    plan.repetitions = options.repetitions;
+    plan.repetitions = options.repetitions.value_or(default_repetitions);
     plan.batch = options.batch;
     plan.seed = options.seed;
     plan.warm = options.warm;
     plan.adaptor_cost = options.adaptor_cost || options.standard;
+    if (!options.protocol.empty()) follow(protocol(options.protocol), options, plan);
     narrow_to_rows(plan, options.rows);
     require_valid(catalogue, plan);
     return plan;

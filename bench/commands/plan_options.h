@@ -2,6 +2,8 @@
 
 #include "bench/comparison/plan.h"
 
+#include <optional>
+
 namespace CLI {
 class App;
 }
@@ -9,11 +11,15 @@ class App;
 /// The options that say what to measure, shared by `rayshoot bench` and the bench_* programs.
 namespace rayshoot {
 
+inline constexpr int default_repetitions = 11;
+
 struct PlanOptions {
     std::vector<std::string> scenes, structures, rows, ray_files;
     std::vector<std::string> kinds{"camera", "shadow", "diffuse", "random"};
     std::string size = "384x384";
-    int spp = 1, threads = 1, repetitions = 11;
+    int spp = 1, threads = 1;
+    std::optional<int> repetitions;  ///< none: default_repetitions, or the protocol's
+    std::string protocol;            ///< empty: none
     std::size_t batch = default_batch;
     std::uint64_t seed = 1;
     bool warm = false, standard = false, adaptor_cost = false;

@@ -17,7 +17,8 @@ public:
         : catalogue_(catalogue),
           plan_(plan),
           progress_(plan.scenes.size() * plan.structures.size() *
-                    (1 + streams_per_scene() * (1 + static_cast<std::size_t>(plan.repetitions)))) {}
+                    (static_cast<std::size_t>(plan.builds) +
+                     streams_per_scene() * (1 + static_cast<std::size_t>(plan.repetitions)))) {}
 
     Comparison result() {
         for (const std::string& name : plan_.scenes) {
@@ -45,11 +46,8 @@ private:
 
     void compare_on(const Scene& scene, const ImageFormat& format, std::vector<RayStream> streams) {
         const BuildInput input = build_input(scene, format);
-        std::vector<Candidate> candidates;
-        for (const std::string& spec : plan_.structures) {
-            progress_.advance("build/" + scene.name + "/" + spec);
-            candidates.push_back(make_candidate(catalogue_, spec, input, plan_.repetitions));
-        }
+        const std::vector<Candidate> candidates =
+            make_candidates(catalogue_, plan_, input, scene.name, progress_);
         for (RayStream& stream : streams) {
             stream.scene = scene.name;
             compare_on_stream(input, candidates, stream);
@@ -62,7 +60,7 @@ private:
         StreamResult result = compare_stream(context, candidates, control_, progress_);
         comparison_.streams.push_back(result.summary);
         if (plan_.adaptor_cost && std::ranges::any_of(candidates, [](const Candidate& candidate) {
-                return candidate.is_embree() && candidate.accel;
+                return is_embree(candidate.spec) && candidate.accel;
             })) {
             for (auto& row : adaptor_cost(input.geometry, stream, plan_.repetitions)) {
                 comparison_.adaptor.push_back(std::move(row));

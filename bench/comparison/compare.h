@@ -14,6 +14,7 @@ namespace rayshoot {
 struct StreamSummary {
     std::string scene, kind, digest;  ///< of the reference's answers
     std::size_t rays = 0, hits = 0, oracle_rays = 0;
+    std::vector<double> control_samples;  ///< as below, of this stream's blocks
 };
 
 struct SceneSummary {
@@ -26,7 +27,7 @@ struct Comparison {
     std::vector<StreamSummary> streams;
     std::vector<Row> rows;
     nlohmann::ordered_json adaptor = nlohmann::ordered_json::array();  ///< see adaptor_cost.h
-    std::vector<double> control_samples;  ///< seconds of the control kernel, one per block
+    std::vector<double> control_samples;  ///< seconds of the control kernel: medians of blocks
 
     /// A row of it is an error: a wrong answer, or a build that failed.
     bool failed() const;

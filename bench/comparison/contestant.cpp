@@ -26,6 +26,7 @@ Row blank_row(const StreamContext& context, const Candidate& candidate, std::str
     row.batch = context.plan.batch;
     row.rays = row.timed_rays = context.stream.size();
     row.build_samples = candidate.build_samples;
+    row.build_peaks = candidate.build_peaks;
     if (candidate.accel) row.footprint = candidate.accel->footprint();
     row.refusal = candidate.refusal;
     if (context.stream.size() == 0) row.refusal = "the scene gives no rays of this kind";
@@ -76,7 +77,6 @@ std::list<Contestant> contestants_of(const StreamContext& context,
             progress.advance("check " + to_string(row.name));
             Contestant& contestant = contestants.emplace_back();
             contestant.row = std::move(row);
-            contestant.embree = candidate.is_embree();
             qualify(context, candidate, gate, contestant);
         }
     }

@@ -21,7 +21,6 @@ struct Contestant {
     Row row;
     RayStream part;  ///< what it is timed on, when that is not the whole stream
     std::unique_ptr<StreamTracer> tracer;
-    bool embree = false;
 };
 
 /// Every row that the plan wants of this stream, each judged and counted.

@@ -59,6 +59,7 @@ void require_valid(const Catalogue& catalogue, const ComparisonPlan& plan) {
     require_between("the number of threads", static_cast<std::size_t>(plan.threads), 1, 1024);
     require_between("the number of repetitions", static_cast<std::size_t>(plan.repetitions), 1,
                     100000);
+    require_between("the number of builds", static_cast<std::size_t>(plan.builds), 1, 1000);
     require_between("the batch size", plan.batch, 1, max_batch);
 }
 

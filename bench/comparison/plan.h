@@ -19,12 +19,15 @@ struct ComparisonPlan {
     std::vector<std::filesystem::path> ray_files;         ///< of the one scene; instead of kinds
     std::set<std::string> rows;                           ///< only these row names; empty: all
     ImageFormat format{384, 384, 1, Raster::centres, 0};  ///< that streams are recorded from
-    int threads = 1;                                      ///< of what is timed
+    int threads = 1;                                      ///< of what is timed, builds too
     int gate_threads = 1;
     int repetitions = 11;  ///< blocks, each with every structure once
+    int builds = 3;        ///< of each structure, at least
     std::size_t batch = default_batch;
     bool adaptor_cost = false;  ///< measure what our interface costs Embree, too
     bool warm = false;          ///< rows on kept sessions as well
+    double void_above = 0.05;   ///< a run whose control kernel moved further is void
+    std::string protocol;       ///< what set the defaults (protocol.h); empty: none
     std::uint64_t seed = 1;
 
     bool wants(const std::string& row) const { return rows.empty() || rows.contains(row); }

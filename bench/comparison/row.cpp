@@ -45,6 +45,20 @@ std::vector<double> Row::rates() const {
     return rates;
 }
 
+std::optional<Estimate> Row::build_rate() const {
+    if (build_samples.empty() || primitives == 0) return std::nullopt;
+    std::vector<double> rates;
+    for (const double seconds : build_samples) {
+        rates.push_back(1e-6 * static_cast<double>(primitives) / seconds);
+    }
+    return bootstrap_median(rates);
+}
+
+std::optional<double> Row::build_peak() const {
+    if (build_peaks.empty()) return std::nullopt;
+    return median(std::vector<double>(build_peaks.begin(), build_peaks.end()));
+}
+
 Json to_json(const std::optional<Estimate>& estimate) {
     if (!estimate) return {{"median", nullptr}, {"low", nullptr}, {"high", nullptr}};
     return {{"median", estimate->median}, {"low", estimate->low}, {"high", estimate->high}};
@@ -86,6 +100,9 @@ Json to_json(const Row& row) {
     result["sampled"] = row.sampled();
     result["build_seconds"] = built ? Json(median(row.build_samples)) : Json(nullptr);
     result["build_samples"] = row.build_samples;
+    result["build_mprimitives_per_second"] = to_json(row.build_rate());
+    result["build_peak_bytes"] = or_null(row.build_peak());
+    result["build_peak_samples"] = row.build_peaks;
     result["bytes"] = or_null(row.footprint.bytes);
     result["footprint"] = to_json(row.footprint);
     result["per_ray"] = means(row.counts);
@@ -93,6 +110,8 @@ Json to_json(const Row& row) {
     result["seconds_samples"] = row.samples;
     result["mrays_per_second"] = to_json(row.mrays_per_second);
     result["ratio_to_embree"] = to_json(row.ratio_to_embree);
+    result["ratio_to_best_embree"] = to_json(row.ratio_to_best_embree);
+    result["best_embree"] = text_or_null(row.best_embree);
     result["refusal"] = text_or_null(row.refusal);
     result["error"] = text_or_null(row.error);
     return result;

@@ -32,6 +32,8 @@ std::string to_string(const RowName& name) {
     return name.kind.empty() ? text : text + "/" + name.kind;
 }
 
+bool is_embree(std::string_view spec) { return spec == "embree" || spec.starts_with("embree:"); }
+
 RowName parse_row_name(std::string_view text) {
     RowName name;
     const std::size_t slash = text.find('/');

@@ -18,6 +18,9 @@ struct RowName {
 
 std::string to_string(const RowName& name);
 
+/// Whether a spec is Embree's, with whatever options.
+bool is_embree(std::string_view spec);
+
 /// Throws std::invalid_argument, showing the form, for anything else.
 RowName parse_row_name(std::string_view text);
 

@@ -1,8 +1,11 @@
+#include "bench/comparison/cells.h"
 #include "bench/comparison/document.h"
+#include "bench/comparison/row_name.h"
 #include "bench/statistics/estimate.h"
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -13,20 +16,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* sampled_mark = "*";  // measured on a sample of the stream
 constexpr const char* failed_cell = "error";
-
-std::optional<double> number(const Json& value) {
-    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
-}
-
-/// value[first][second]..., null where one is not there.
-Json at(const Json& value, std::initializer_list<const char*> path) {
-    const Json* found = &value;
-    for (const char* key : path) {
-        if (!found->is_object() || !found->contains(key)) return nullptr;
-        found = &(*found)[key];
-    }
-    return *found;
-}
 
 /// All rows of one structure on one scene.
 struct Group {
@@ -96,8 +85,8 @@ std::string mean_cell(const Json& row, const char* event) {
     return marked(number_cell(number(at(row, {"per_ray", event}))), row);
 }
 
-std::optional<double> bytes_per_primitive(const Json& row) {
-    const auto bytes = number(at(row, {"bytes"}));
+std::optional<double> bytes_per_primitive(const Json& row, const char* key) {
+    const auto bytes = number(at(row, {key}));
     const auto primitives = number(at(row, {"primitives"}));
     if (!bytes || !primitives || *primitives == 0) return std::nullopt;
     return *bytes / *primitives;
@@ -108,14 +97,12 @@ std::optional<double> milliseconds(const Json& value) {
     return seconds ? std::optional(1e3 * *seconds) : std::nullopt;
 }
 
-std::string interval_cell(const Json& row, const char* what) {
-    const auto low = number(at(row, {what, "low"})), high = number(at(row, {what, "high"}));
-    if (!low || !high) return not_measured;
-    return number_cell(low, 3) + " to " + number_cell(high, 3);
-}
-
 std::string whole_cell(const Json& value) {
     return value.is_null() ? std::string(not_measured) : value.dump();
+}
+
+std::string text_cell(const Json& value) {
+    return value.is_string() ? value.get<std::string>() : not_measured;
 }
 
 std::vector<std::string> detail_cells(const Json& row) {
@@ -127,7 +114,39 @@ std::vector<std::string> detail_cells(const Json& row) {
             rate_cell(&row, "mrays_per_second"),
             interval_cell(row, "mrays_per_second"),
             rate_cell(&row, "ratio_to_embree"),
-            interval_cell(row, "ratio_to_embree")};
+            interval_cell(row, "ratio_to_embree"),
+            rate_cell(&row, "ratio_to_best_embree"),
+            interval_cell(row, "ratio_to_best_embree"),
+            text_cell(at(row, {"best_embree"}))};
+}
+
+std::string percent_cell(const Json& share) {
+    const auto value = number(share);
+    return number_cell(value ? std::optional(100 * *value) : std::nullopt, 3) + " %";
+}
+
+/// How still the machine held; nothing for a document of before this was kept.
+std::string control_note(const Json& document) {
+    const Json control = at(document, {"control"});
+    if (!control.is_object()) return "";
+    if (!number(control["moved"])) {
+        return "control kernel: one block does not say whether the machine held still\n";
+    }
+    const bool is_void = control["void"] == true;
+    return "control kernel: moved by " + percent_cell(control["moved"]) + " over " +
+           control["blocks"].dump() + " blocks; a run is void above " +
+           percent_cell(control["void_above"]) +
+           (is_void ? ": this run is VOID, repeat it on a quiet machine\n"
+                    : ": this one is valid\n");
+}
+
+/// More than one of Embree's rows, so that the best is worth a column of its own.
+bool compares_embree_paths(const Json& document) {
+    std::set<std::string> specs;
+    for (const Json& row : document["rows"]) {
+        if (is_embree(row["structure"].get<std::string>())) specs.insert(row["structure"]);
+    }
+    return specs.size() > 1;
 }
 
 /// The median over all paths and streams, and the worst of them by name.
@@ -167,25 +186,33 @@ void require_comparison(const Json& document) {
 Table comparison_table(const Json& document) {
     require_comparison(document);
     const std::vector<std::string> kinds = kinds_of(document);
-    Table table{{"scene", "structure", "build ms", "bytes/primitive", "object tests/ray",
-                 "volume tests/ray", "steps/ray"},
+    Table table{{"scene", "structure", "build ms", "build Mprimitives/s", "peak bytes/primitive",
+                 "bytes/primitive", "object tests/ray", "volume tests/ray", "steps/ray"},
                 {}};
     for (const std::string& kind : kinds) table.headings.push_back(kind + " Mrays/s");
-    for (const std::string& kind : kinds) table.headings.push_back(kind + " / Embree");
+    std::vector<std::pair<const char*, const char*>> ratios{{" / Embree", "ratio_to_embree"}};
+    if (compares_embree_paths(document))
+        ratios.emplace_back(" / best Embree", "ratio_to_best_embree");
+    for (const auto& [heading, key] : ratios) {
+        for (const std::string& kind : kinds) table.headings.push_back(kind + heading);
+    }
     for (const Group& group : groups_of(document)) {
         const Json& first = *group.rows.front();
         std::vector<std::string> cells{
             group.scene,
             group.structure,
             number_cell(milliseconds(at(first, {"build_seconds"})), 3),
-            number_cell(bytes_per_primitive(first), 3),
+            number_cell(number(at(first, {"build_mprimitives_per_second", "median"})), 3),
+            number_cell(bytes_per_primitive(first, "build_peak_bytes"), 3),
+            number_cell(bytes_per_primitive(first, "bytes"), 3),
             marked(number_cell(group.mean("object_tests")), first),
             marked(number_cell(group.mean("bounding_volume_tests")), first),
             marked(number_cell(group.mean("steps")), first)};
         for (const std::string& kind : kinds)
             cells.push_back(rate_cell(group.row(kind), "mrays_per_second"));
-        for (const std::string& kind : kinds)
-            cells.push_back(rate_cell(group.row(kind), "ratio_to_embree"));
+        for (const auto& [heading, key] : ratios) {
+            for (const std::string& kind : kinds) cells.push_back(rate_cell(group.row(kind), key));
+        }
         table.rows.push_back(std::move(cells));
     }
     return table;
@@ -194,7 +221,8 @@ Table comparison_table(const Json& document) {
 Table detail_table(const Json& document) {
     require_comparison(document);
     Table table{{"row", "rays", "object tests/ray", "volume tests/ray", "steps/ray", "Mrays/s",
-                 "95 % interval", "/ Embree", "95 % interval"},
+                 "95 % interval", "/ Embree", "95 % interval", "/ best Embree", "95 % interval",
+                 "best Embree"},
                 {}};
     for (const Json& row : document["rows"]) table.rows.push_back(detail_cells(row));
     return table;
@@ -231,7 +259,7 @@ std::string notes(const Json& document) {
     }
     for (const auto& [name, reason] : refusals) text += "n/a: " + name + ": " + reason + "\n";
     if (sampled) text += std::string(sampled_mark) + " measured on a sample of the rays\n";
-    return text + adaptor_note(document);
+    return text + adaptor_note(document) + control_note(document);
 }
 
 }  // namespace rayshoot

@@ -56,7 +56,8 @@ void initialise(const std::string& program, const ProgramOptions& options) {
     std::vector<std::string> texts{program};
     texts.insert(texts.end(), options.rest.begin(), options.rest.end());
     const std::string repetitions =
-        "--benchmark_repetitions=" + std::to_string(options.plan.repetitions);
+        "--benchmark_repetitions=" +
+        std::to_string(options.plan.repetitions.value_or(default_repetitions));
     texts.insert(texts.begin() + 1, {repetitions, "--benchmark_enable_random_interleaving=true"});
     std::vector<char*> arguments;
     for (std::string& text : texts) arguments.push_back(text.data());

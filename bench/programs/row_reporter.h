@@ -25,6 +25,8 @@ private:
     struct Samples {
         std::vector<double> seconds;  ///< per iteration, one per repetition
         double rays = 0;              ///< per iteration; 0: not a row of rays
+        double primitives = 0;        ///< built from, per iteration; 0: not a row of builds
+        std::vector<double> peaks;    ///< bytes while building; of those that could be measured
     };
     void write_text();
     void write_json();

@@ -27,6 +27,19 @@ void require_samples(std::span<const double> samples) {
     if (samples.empty()) throw std::invalid_argument("statistics of no samples were asked for");
 }
 
+/// The median of as many samples, drawn with repetition.
+double drawn_median(std::span<const double> samples, std::vector<double>& drawn, Sequence& random) {
+    drawn.resize(samples.size());
+    for (double& value : drawn) value = samples[random.below(samples.size())];
+    return middle_of(drawn);
+}
+
+Estimate percentile_interval(double centre, std::vector<double> resampled, double confidence) {
+    std::sort(resampled.begin(), resampled.end());
+    const double tail = 0.5 * (1 - confidence);
+    return {centre, quantile(resampled, tail), quantile(resampled, 1 - tail)};
+}
+
 }  // namespace
 
 double median(std::span<const double> samples) {
@@ -39,15 +52,27 @@ Estimate bootstrap_median(std::span<const double> samples, double confidence, in
                           std::uint64_t seed) {
     const double centre = median(samples);
     Sequence random(seed);
-    std::vector<double> drawn(samples.size());
-    std::vector<double> medians;
+    std::vector<double> drawn, medians;
+    for (int i = 0; i < resamples; ++i) medians.push_back(drawn_median(samples, drawn, random));
+    return percentile_interval(centre, std::move(medians), confidence);
+}
+
+Estimate bootstrap_geometric_mean(std::span<const std::vector<double>> groups, double confidence,
+                                  int resamples, std::uint64_t seed) {
+    if (groups.empty()) throw std::invalid_argument("a mean of no groups was asked for");
+    const auto mean = [&](auto&& middle) {
+        double sum = 0;
+        for (const std::vector<double>& group : groups) sum += std::log(middle(group));
+        return std::exp(sum / static_cast<double>(groups.size()));
+    };
+    const double centre = mean([](const auto& group) { return median(group); });
+    Sequence random(seed);
+    std::vector<double> drawn, means;
     for (int i = 0; i < resamples; ++i) {
-        for (double& value : drawn) value = samples[random.below(samples.size())];
-        medians.push_back(middle_of(drawn));
+        means.push_back(
+            mean([&](const auto& group) { return drawn_median(group, drawn, random); }));
     }
-    std::sort(medians.begin(), medians.end());
-    const double tail = 0.5 * (1 - confidence);
-    return {centre, quantile(medians, tail), quantile(medians, 1 - tail)};
+    return percentile_interval(centre, std::move(means), confidence);
 }
 
 double relative_spread(std::span<const double> samples) {
@@ -57,6 +82,14 @@ double relative_spread(std::span<const double> samples) {
     const double centre = median(samples);
     if (centre == 0) return 0;
     return 0.5 * (quantile(sorted, 0.75) - quantile(sorted, 0.25)) / centre;
+}
+
+double central_range(std::span<const double> samples) {
+    const double centre = median(samples);
+    std::vector<double> sorted(samples.begin(), samples.end());
+    std::sort(sorted.begin(), sorted.end());
+    if (centre == 0) return 0;
+    return (quantile(sorted, 0.975) - quantile(sorted, 0.025)) / centre;
 }
 
 }  // namespace rayshoot

@@ -157,6 +157,89 @@ TEST(Bench, has_the_documented_keys) {
     EXPECT_EQ(measured.out.find('/' + std::string("tmp")), std::string::npos) << "no paths";
 }
 
+TEST(Bench, keeps_what_the_control_kernel_did_and_whether_the_run_is_void) {
+    for (const bool strict : {true, false}) {
+        const Call measured = small_bench({"--structure", "bvh", "--rays", "camera,random",
+                                           "--void-above", strict ? "1e-9" : "1e9"});
+        ASSERT_EQ(measured.code, 0) << measured.err;
+        const Json document = measured.json();
+        const Json& control = document["control"];
+        expect_keys(control, {"blocks", "block_seconds", "median_seconds", "moved", "void_above"});
+        EXPECT_EQ(control["blocks"], 4);
+        EXPECT_GT(control["moved"], 0);
+        EXPECT_EQ(control["void"], strict);
+        EXPECT_EQ(document["rows"].size(), 2u);
+        EXPECT_GT(document["streams"][0]["control_moved"], 0);
+    }
+}
+
+TEST(Bench, compares_every_row_with_the_fastest_of_embree_s) {
+    const Call measured =
+        small_bench({"--structure", "bvh", "embree", "embree:kernel=single", "--rays", "camera"});
+    if (measured.err.find("no structure 'embree'") != std::string::npos) GTEST_SKIP();
+    ASSERT_EQ(measured.code, 0) << measured.err;
+    const Json document = measured.json();
+    double best = 0;
+    std::string name;
+    for (const Json& row : document["rows"]) {
+        const double rate = row["mrays_per_second"]["median"];
+        if (row["structure"] != "bvh" && rate > best) {
+            best = rate;
+            name = row["structure"];
+        }
+    }
+    for (const Json& row : document["rows"]) {
+        EXPECT_EQ(row["best_embree"], name);
+        if (row["structure"] == name) {
+            EXPECT_EQ(row["ratio_to_best_embree"]["median"], 1);
+        }
+        EXPECT_GT(row["ratio_to_best_embree"]["low"], 0);
+    }
+    EXPECT_EQ(document["over_best_embree"]["means"].size(), 3u);
+}
+
+TEST(Bench, protocol_is_what_other_options_leave_open) {
+    const Call measured =
+        call({"bench", "--protocol", "speed", "--scene", "soup:count=50", "--structure", "bvh",
+              "--size", "16x16", "--rays", "camera", "--json"});
+    if (measured.err.find("no structure 'embree'") != std::string::npos) GTEST_SKIP();
+    const Json document = measured.json();
+    EXPECT_EQ(document["settings"]["protocol"], "speed");
+    EXPECT_EQ(document["settings"]["repetitions"], 15);
+    ASSERT_GT(document["rows"].size(), 5u);
+    EXPECT_EQ(document["rows"][0]["structure"], "bvh");
+    EXPECT_EQ(document["rows"][0]["seconds_samples"].size(), 15u);
+    EXPECT_EQ(document["rows"][1]["structure"], "embree");
+}
+
+TEST(Bench, builds_in_turns_with_the_threads_of_the_run) {
+    for (const int threads : {1, 2}) {
+        const Call measured = small_bench({"--structure", "lanes", "bvh", "--rays", "camera",
+                                           "--builds", "4", "--threads", std::to_string(threads)});
+        ASSERT_EQ(measured.code, 0) << measured.err;
+        const Json document = measured.json();
+        EXPECT_EQ(document["settings"]["builds"], 4);
+        EXPECT_EQ(document["rows"][0]["bytes"], threads);
+        for (const Json& row : document["rows"]) EXPECT_GE(row["build_samples"].size(), 4u);
+    }
+}
+
+TEST(Bench, has_build_rate_and_peak_memory_or_null) {
+    const Call measured = call({"bench", "--scene", "soup:count=30000", "--structure", "bvh",
+                                "--rays", "random", "--size", "16x16", "--json"});
+    ASSERT_EQ(measured.code, 0) << measured.err;
+    const Json document = measured.json();
+    const Json& row = document["rows"][0];
+    const double rate = row["build_mprimitives_per_second"]["median"];
+    EXPECT_NEAR(rate * row["build_seconds"].get<double>(), 0.03, 1e-6);
+    if (!row["build_peak_bytes"].is_null()) {
+        EXPECT_GT(row["build_peak_bytes"], row["bytes"]);
+        EXPECT_LT(row["build_peak_bytes"], 4096 * 30000);
+    }
+    const Json tiny = small_bench({"--structure", "bvh", "--rays", "camera"}).json();
+    EXPECT_TRUE(tiny["rows"][0]["build_peak_bytes"].is_null());
+}
+
 TEST(Bench, a_wrong_structure_is_an_error_row_and_never_timed) {
     const Call measured = small_bench({"--structure", "bvh", "wrong", "off", "--rays", "camera"});
     EXPECT_EQ(measured.code, 1);
@@ -192,6 +275,28 @@ TEST(Bench, counts_are_the_same_for_one_thread_and_two) {
         EXPECT_EQ(a["rows"][i]["per_ray"], b["rows"][i]["per_ray"]);
         EXPECT_EQ(a["rows"][i]["gate"], b["rows"][i]["gate"]);
     }
+}
+
+TEST(Limits, of_a_tiny_scene_has_the_documented_keys) {
+    const Call measured =
+        call({"limits", "--scene", "soup:count=50", "--structure", "bvh8", "--rays", "random",
+              "--size", "16x16", "--repetitions", "2", "--largest", "1", "--json"});
+    ASSERT_EQ(measured.code, 0) << measured.err;
+    const Json document = measured.json();
+    EXPECT_EQ(document["document"], "limits");
+    expect_keys(document["machine"], {"cycles_per_ns", "latency", "throughput"});
+    EXPECT_EQ(document["machine"]["latency"].size(), 4u);
+    ASSERT_EQ(document["costs"].size(), 2u);
+    for (const Json& way : document["costs"]) {
+        expect_keys(way, {"way", "structure", "ns_per_ray", "cycles_per_step", "cycles_per_leaf"});
+        EXPECT_GT(way["ns_per_step"].get<double>() + way["ns_per_leaf"].get<double>(), 0);
+        EXPECT_GE(way["residual"], 0);
+        EXPECT_GT(way["samples"].size(), 8u);
+    }
+    ASSERT_EQ(document["bounds"].size(), 1u);
+    EXPECT_GT(document["bounds"][0]["mrays_per_second"]["alone"], 0);
+    ASSERT_EQ(document["shares"].size(), 3u);
+    EXPECT_GT(document["shares"][2]["share"]["in flight"], 0);
 }
 
 TEST(Report, makes_the_same_tables_again_from_raw_results) {

@@ -1,6 +1,7 @@
 #include "bench/statistics/estimate.h"
 
 #include "bench/statistics/random.h"
+#include "bench/timing/steadiness.h"
 
 #include <gtest/gtest.h>
 
@@ -88,6 +89,64 @@ TEST(Bootstrap, overlapping_intervals_are_no_different) {
 TEST(Spread, is_half_the_interquartile_range_over_the_median) {
     EXPECT_NEAR(relative_spread(std::array{1.0, 2.0, 3.0, 4.0, 5.0}), 1.0 / 3, 1e-12);
     EXPECT_EQ(relative_spread(std::array{2.0, 2.0, 2.0}), 0);
+}
+
+TEST(CentralRange, leaves_out_a_fortieth_at_either_end) {
+    std::vector<double> samples(100, 10.0);
+    samples[3] = 1000;  // a single disturbance
+    EXPECT_EQ(central_range(samples), 0);
+    for (int i = 0; i < 10; ++i) samples[static_cast<std::size_t>(i)] = 11;  // one that lasts
+    EXPECT_NEAR(central_range(samples), 0.1, 1e-12);
+}
+
+TEST(CentralRange, of_few_samples_is_their_whole_range) {
+    EXPECT_NEAR(central_range(std::array{1.0, 2.0, 3.0}), 1, 1e-12);
+}
+
+TEST(Steadiness, a_run_is_void_when_its_control_moved_further_than_allowed) {
+    const std::array samples{1.0, 1.01, 1.04};
+    EXPECT_EQ(steadiness(samples, 0.05).is_void(), false);
+    EXPECT_EQ(steadiness(samples, 0.03).is_void(), true);
+}
+
+TEST(Steadiness, one_block_says_nothing) {
+    EXPECT_FALSE(steadiness(std::array{1.0}, 0.05).moved.has_value());
+    EXPECT_FALSE(steadiness(std::array{1.0}, 0.05).is_void().has_value());
+}
+
+TEST(GeometricMean, is_that_of_the_medians) {
+    const std::vector<std::vector<double>> groups{{1, 2, 3}, {8, 8, 8}};
+    const Estimate mean = bootstrap_geometric_mean(groups);
+    EXPECT_NEAR(mean.median, 4, 1e-12);
+    EXPECT_LT(mean.low, mean.median);
+    EXPECT_GT(mean.high, mean.median);
+}
+
+TEST(GeometricMean, of_one_group_is_its_bootstrapped_median) {
+    const std::vector<std::vector<double>> groups{{1, 2, 3, 4, 5, 6, 7}};
+    const Estimate mean = bootstrap_geometric_mean(groups);
+    const Estimate alone = bootstrap_median(groups.front());
+    EXPECT_NEAR(mean.median, alone.median, 1e-12);
+    EXPECT_NEAR(mean.low, alone.low, 1e-12);
+    EXPECT_NEAR(mean.high, alone.high, 1e-12);
+}
+
+/// H0: the 95 % interval covers the true mean in 90 to 98 % of cases. 500 cases of 6 groups of 15
+/// samples, log-uniform over a range of 2 round medians of 1; the share's standard error is 1 %.
+TEST(GeometricMean, interval_covers_the_true_mean_about_as_often_as_it_says) {
+    Sequence random(5);
+    int covered = 0;
+    constexpr int cases = 500;
+    for (int i = 0; i < cases; ++i) {
+        std::vector<std::vector<double>> groups(6, std::vector<double>(15));
+        for (auto& group : groups) {
+            for (double& value : group) value = std::exp2(random.unit() - 0.5);
+        }
+        const Estimate mean = bootstrap_geometric_mean(groups, 0.95, 400, random.next());
+        covered += mean.low <= 1 && 1 <= mean.high;
+    }
+    EXPECT_GE(covered, 0.90 * cases);
+    EXPECT_LE(covered, 0.98 * cases);
 }
 
 }  // namespace

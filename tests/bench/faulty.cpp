@@ -1,5 +1,7 @@
 #include "tests/bench/faulty.h"
 
+#include <tbb/global_control.h>
+
 #include <cmath>
 
 namespace rayshoot {
@@ -80,6 +82,30 @@ StructureEntry entry(std::string_view name, Agreement agreement) {
             .refuses = [](const Geometry&) { return std::string(); }};
 }
 
+class LanesAccel final : public Accel {
+public:
+    LanesAccel(const BuildInput& input, std::string spec)
+        : inner_(build(built_in_catalogue(), "bvh", input)),
+          lanes_(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)),
+          spec_(std::move(spec)) {}
+
+    std::unique_ptr<Session> open(Mode mode) const override { return inner_->open(mode); }
+    Footprint footprint() const override { return {.bytes = lanes_}; }
+    bool serves(Query, RayKind) const override { return true; }
+    const std::string& spec() const override { return spec_; }
+    bool complete() const override { return true; }
+    bool remembers() const override { return false; }
+
+private:
+    std::unique_ptr<Accel> inner_;
+    std::size_t lanes_;
+    std::string spec_;
+};
+
+std::unique_ptr<Accel> build_lanes(const BuildInput& input, const Options&, std::string spec) {
+    return std::make_unique<LanesAccel>(input, std::move(spec));
+}
+
 }  // namespace
 
 Catalogue faulty_catalogue() {
@@ -90,6 +116,9 @@ Catalogue faulty_catalogue() {
     catalogue.push_back(entry<Fault::missed_hit>("blind", Agreement::exact));
     catalogue.push_back(entry<Fault::missed_hit>("off", Agreement::tolerance));
     catalogue.push_back(entry<Fault::wrong_t>("tolerant", Agreement::tolerance));
+    StructureEntry lanes = entry<Fault::none>("lanes", Agreement::exact);
+    lanes.build = build_lanes;
+    catalogue.push_back(lanes);
     return catalogue;
 }
 

@@ -40,6 +40,24 @@ class Programs(unittest.TestCase):
             found = {name.removeprefix(prefix).split("/")[0] for name in rows}
             self.assertEqual(found, set(STRUCTURES), rows.keys())
 
+    def test_builds_have_a_rate_and_a_peak(self):
+        """The soup is large enough for the kernel to tell; 50 triangles are not: null, never 0."""
+        for count, measurable in ((50, False), (20000, sys.platform == "linux")):
+            done = call("bench_build", "--scene", f"soup:count={count}", "--structure", "bvh",
+                        "--structure", "bvh8", "--repetitions", "3", "--json",
+                        "--benchmark_min_time=0.01")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for row in json.loads(done.stdout)["rows"]:
+                rate, peak = row["build_mprimitives_per_second"], row["build_peak_bytes"]
+                self.assertGreater(rate["low"], 0)
+                self.assertAlmostEqual(rate["median"] * row["seconds"]["median"], 1e-6 * count,
+                                       delta=1e-9 * count)
+                if measurable:
+                    self.assertGreater(peak, 16 * count, row["name"])
+                    self.assertLess(peak, 4096 * count, row["name"])
+                else:
+                    self.assertIsNone(peak, row["name"])
+
     def test_rates_of_rays_are_positive_and_ordered(self):
         for row in self.rows("rays", "--rays", "camera,random").values():
             rate = row["mrays_per_second"]

@@ -101,6 +101,15 @@ TEST(Recorder, chords_start_on_the_sphere_round_the_scene) {
     }
 }
 
+TEST(Recorder, chords_alone_are_those_of_the_streams) {
+    const Scene scene = small_scene();
+    const RecordedRays recorded_rays = recorded(scene, "bvh").random;
+    const std::vector<Ray> rays =
+        random_chords(scene.geometry.bounds(), recorded_rays.rays.size(), format.seed);
+    EXPECT_TRUE(equal({rays, {}}, recorded_rays));
+    EXPECT_TRUE(random_chords(Box{}, 10).empty());
+}
+
 TEST(Recorder, an_empty_scene_gives_camera_rays_only) {
     Scene scene;
     scene.geometry = GeometryBuilder().build();
