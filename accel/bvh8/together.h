@@ -90,10 +90,32 @@ inline void Bvh8::visit_leaf(Packet& packet, Packet::Section section, const Halt
             count(Event::cell, hn::CountTrue(floats<Packet::group>, active));
         }
         if (hn::AllFalse(floats<Packet::group>, active)) continue;
-        for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-            packet.test<Q>(group, active, leaves_.triangles(leaf.first_block() + i),
-                           leaves_.padding(), count);
+        if (leaf.only_triangles() && leaves_.precision() == Precision::standard) [[likely]]
+            test_triangles<Q, Precision::standard>(packet, group, active, leaf, count);
+        else test_others<Q>(packet, group, active, leaf, count);
     }
+}
+
+template <Query Q, Precision P, Counter C>
+inline void Bvh8::test_triangles(Packet& packet, std::size_t group, Packet::Mask active,
+                                 PackedLeaf leaf, C& count) const {
+    for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
+        packet.test<Q, P>(group, active, leaves_.triangles(leaf.first_block() + i),
+                          leaves_.padding(), count);
+}
+
+template <Query Q, Counter C>
+void Bvh8::test_others(Packet& packet, std::size_t group, Packet::Mask active, PackedLeaf leaf,
+                       C& count) const {
+    if (leaf.is_mixed())
+        return packet.test_each<Q>(group, active, [&](const TestRay& ray, Hit& hit) {
+            leaves_.template test<Q>(leaf, ray, hit, count);
+        });
+    if (leaf.only_triangles())
+        return test_triangles<Q, Precision::watertight>(packet, group, active, leaf, count);
+    for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
+        packet.test<Q>(group, active, leaves_.spheres(leaf.first_block() + i), leaves_.padding(),
+                       count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
