@@ -289,15 +289,15 @@ inline void Packet::test(std::size_t g, Mask active, const TriangleBlock& block,
                 test_in_double(block, lane, ray, padding, hit, count);
             });
         } else {
-            const auto seen = [&](const vec3& corner) {
+            const auto seen = [&](std::size_t corner) {
                 const auto component = [&](std::size_t axis) {
-                    return hn::Sub(hn::Set(tag, corner[static_cast<int>(axis)]),
+                    return hn::Sub(hn::Set(tag, block.corner[3 * corner + axis][lane]),
                                    row(origin_.rows[axis], first));
                 };
                 return Vectors<V>{component(axes_[0]), component(axes_[1]), component(axes_[2])};
             };
-            const WideEdges<V> edges(seen(triangle.a), seen(triangle.b), seen(triangle.c),
-                                     row(along_x_, first), row(along_y_, first));
+            const WideEdges<V> edges(seen(0), seen(1), seen(2), row(along_x_, first),
+                                     row(along_y_, first));
             const auto left = hn::AndNot(edges.outside(), active);
             if (hn::AllFalse(tag, left)) continue;
             const auto at = edges.exact(row(direction_.rows[axes_[2]], first));

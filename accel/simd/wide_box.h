@@ -104,10 +104,20 @@ struct WideHit {
     decltype(simd::hn::Lt(V{}, V{})) met;
 };
 
+/// By the slab form itself, which is seldom asked: out of the way of what is.
+template <class V>
+[[gnu::noinline]] WideHit<V> clamped_exactly(WideHit<V> hit, const WidePlanes<V>& bounds,
+                                             const simd::Vectors<V>& origin,
+                                             const simd::Vectors<V>& inverse, float padding) {
+    using namespace simd;
+    const WideInterval<V> within = clip(origin, inverse, padded(bounds, padding));
+    return {within.clamp(hit.t), hn::And(hn::And(hit.met, within.met()), hn::Eq(hit.t, hit.t))};
+}
+
 /// Rule 2 of core/README.md: t clamped to the padded bounds, and not met where these are missed or
 /// t is NaN.
 template <class V>
-inline WideHit<V> clamped(WideHit<V> hit, const simd::Vectors<V>& corner,
+[[gnu::always_inline]] inline WideHit<V> clamped(WideHit<V> hit, const simd::Vectors<V>& corner,
                           const WidePlanes<V>& bounds, const simd::Vectors<V>& origin,
                           const simd::Vectors<V>& inverse, float padding) {
     using namespace simd;
@@ -115,8 +125,7 @@ inline WideHit<V> clamped(WideHit<V> hit, const simd::Vectors<V>& corner,
     const auto as_it_is = inner_interval(corner, bounds, origin, inverse, padding).contains(hit.t);
     if (hn::AllFalse(tag, hn::AndNot(as_it_is, hit.met))) [[likely]]
         return hit;
-    const WideInterval<V> within = clip(origin, inverse, padded(bounds, padding));
-    return {within.clamp(hit.t), hn::And(hn::And(hit.met, within.met()), hn::Eq(hit.t, hit.t))};
+    return clamped_exactly(hit, bounds, origin, inverse, padding);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
