@@ -57,11 +57,11 @@ struct Departures {
         to_node |= (leaf ^ 1) << flight;
         to_leaf |= leaf << flight;
     }
-    void sort_leaves(const Flight* flights, bool batched) {
+    void sort_leaves(const Flight* flights) {
         for_each(std::exchange(to_leaf, 0), [&](std::size_t flight) {
             const WideChild next = flights[flight].next;
             const std::uint64_t end = next.is_none();
-            const std::uint64_t triangles = next.leaf().only_triangles() & batched;
+            const std::uint64_t triangles = next.leaf().only_triangles();
             to_triangles |= triangles << flight;
             to_others |= (1 ^ triangles ^ end) << flight;
             to_end |= end << flight;
@@ -95,8 +95,10 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
             go_down(flights[number]);
             go_on(number);
         });
-        departures.sort_leaves(flights, leaves_.precision() == Precision::standard);
-        visit_triangles<Q>(departures, flights, count);
+        departures.sort_leaves(flights);
+        if (leaves_.precision() == Precision::standard)
+            visit_triangles<Q, Precision::standard>(departures, flights, count);
+        else visit_triangles<Q, Precision::watertight>(departures, flights, count);
         for_each(std::exchange(departures.to_others, 0), [&](std::size_t number) {
             Flight& flight = flights[number];
             visit_leaf<Q>(flight, count);
@@ -114,7 +116,7 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
 
 /// One block of each leaf, for as many flights at once as there are; fewer only where no other
 /// flight goes on.
-template <Query Q, Counter C>
+template <Query Q, Precision P, Counter C>
 inline void Bvh8::visit_triangles(Departures& departures, Flight* flights, C& count) const {
     while (static_cast<std::size_t>(std::popcount(departures.to_triangles)) >= rays_by_blocks ||
            (departures.to_triangles != 0 && departures.to_node == 0)) {
@@ -128,7 +130,7 @@ inline void Bvh8::visit_triangles(Departures& departures, Flight* flights, C& co
             pairs[together] = {&flight.ray, &flight.hit,
                                &leaves_.triangles(flight.next.leaf().first_block())};
         }
-        test(pairs, together, leaves_.padding(), count);
+        test<P>(pairs, together, leaves_.padding(), count);
         for (std::size_t i = 0; i < together; ++i) {
             Flight& flight = flights[numbers[i]];
             const PackedLeaf leaf = flight.next.leaf();

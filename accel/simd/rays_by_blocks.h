@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/simd/triangle_block.h"
+#include "accel/simd/watertight_block.h"
 
 /// Several rays at once, each against a block of triangles of its own, without a branch: whether a
 /// ray hits cannot be foretold, and a wrong guess costs as much as the test.
@@ -93,7 +93,8 @@ inline void accept_nearest(const RaysAndBlocks& pairs, const WideHit<quads::V>& 
     const auto at = [&](std::uint32_t i) {
         return hn::RebindMask(tag, hn::Eq(place, hn::Set(word, i)));
     };
-    const V found = hn::IfThenElse(at(0), t,
+    // Its own t: that of another may be the other zero.
+    const V found = hn::IfThenElse(at(0), quads::chosen(nearest, hit.t),
                                    hn::IfThenElse(at(1), hn::BitCast(tag, number),
                                                   hn::IfThenElse(at(2), quads::chosen(nearest, u),
                                                                  quads::chosen(nearest, v))));
@@ -102,8 +103,9 @@ inline void accept_nearest(const RaysAndBlocks& pairs, const WideHit<quads::V>& 
     for (std::size_t i = 0; i < pairs.size(); ++i) *pairs[i].hit = hits[i];
 }
 
-/// For the first `size` of them what test() of triangle_block.h does: the same bits.
-template <Counter C>
+/// For the first `size` of them what test() of triangle_block.h does, or test_watertight(): the
+/// same bits.
+template <Precision P, Counter C>
 inline void test(RaysAndBlocks& pairs, std::size_t size, float padding, C& count) {
     static constexpr TriangleBlock nothing;
     Hit nobody;
@@ -114,29 +116,42 @@ inline void test(RaysAndBlocks& pairs, std::size_t size, float padding, C& count
         return quads::load([&](std::size_t i) { return pairs[i].block->corner[row].data(); });
     };
     const Vectors<V> a{corner(0), corner(1), corner(2)}, b{corner(3), corner(4), corner(5)},
-        c{corner(6), corner(7), corner(8)}, e1 = b - a, e2 = c - a;
+        c{corner(6), corner(7), corner(8)};
     const V origins = quads::load([&](std::size_t i) { return &pairs[i].ray->origin.x; });
     const V directions = quads::load([&](std::size_t i) { return &pairs[i].ray->direction.x; });
     const Vectors<V> origin = quads::vectors(origins), direction = quads::vectors(directions);
-    const WideSums<V> sums(a, e1, e2, origin, direction);
-    const V sizes = hn::Mul(taxicab(e1), taxicab(e2));
-    const auto trusted = sums.trusted(hn::Mul(sizes, hn::Broadcast<3>(directions)));
-    const auto inside = hn::And(trusted, sums.inside());
     const auto live =
         hn::RebindMask(tag, hn::Ne(quads::numbers(pairs), hn::Set(word, no_primitive)));
     if constexpr (C::counts) count(Event::object_test, hn::CountTrue(tag, live));
-    const V inverses = quads::load([&](std::size_t i) { return &pairs[i].ray->inverse.x; });
-    const auto hit = clamped<V>({hn::Div(sums.t, sums.det), inside}, a, triangle_bounds(a, b, c),
-                                origin, quads::vectors(inverses), padding);
-    if constexpr (C::counts) count(Event::object_hit, hn::CountTrue(tag, hit.met));
-    accept_nearest(pairs, hit, hn::Div(sums.u, sums.det), hn::Div(sums.v, sums.det));
-    const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, live));
-    for (std::uint32_t rest = untrusted; rest != 0; rest &= rest - 1) [[unlikely]] {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-            const RayAndBlock& pair = pairs[lane / TriangleBlock::width];
-            test_in_double(*pair.block, lane % TriangleBlock::width, *pair.ray, padding, *pair.hit,
-                           count);
-        }
+    const auto offer = [&](V t, V u, V v, auto inside) {
+        const V inverses = quads::load([&](std::size_t i) { return &pairs[i].ray->inverse.x; });
+        const auto hit = clamped<V>({t, inside}, a, triangle_bounds(a, b, c), origin,
+                                    quads::vectors(inverses), padding);
+        if constexpr (C::counts) count(Event::object_hit, hn::CountTrue(tag, hit.met));
+        accept_nearest(pairs, hit, u, v);
+    };
+    if constexpr (P == Precision::watertight) {
+        const WideShear<V> shear(direction);
+        const WideEdges<V> edges(shear.turned(a - origin), shear.turned(b - origin),
+                                 shear.turned(c - origin), shear.along_x, shear.along_y);
+        const auto at = edges.exact(shear.direction_z);
+        const auto left = hn::AndNot(edges.outside(), live);
+        offer(at.t, at.u, at.v, hn::And(left, hn::Eq(at.t, at.t)));
+    } else {
+        const Vectors<V> e1 = b - a, e2 = c - a;
+        const WideSums<V> sums(a, e1, e2, origin, direction);
+        const V sizes = hn::Mul(taxicab(e1), taxicab(e2));
+        const auto trusted = sums.trusted(hn::Mul(sizes, hn::Broadcast<3>(directions)));
+        offer(hn::Div(sums.t, sums.det), hn::Div(sums.u, sums.det), hn::Div(sums.v, sums.det),
+              hn::And(trusted, sums.inside()));
+        const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, live));
+        for (std::uint32_t rest = untrusted; rest != 0; rest &= rest - 1) [[unlikely]] {
+                const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+                const RayAndBlock& pair = pairs[lane / TriangleBlock::width];
+                test_in_double(*pair.block, lane % TriangleBlock::width, *pair.ray, padding,
+                               *pair.hit, count);
+            }
+    }
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
