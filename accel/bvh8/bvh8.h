@@ -73,8 +73,9 @@ private:
     void cross(Flight& flight, C& count) const;
     template <Query Q, Counter C>
     void visit_leaf(Flight& flight, C& count) const;
-    template <Query Q, Precision P, Counter C>
-    void visit_triangles(Departures& departures, Flight* flights, C& count) const;
+    template <Query Q, class Block, Counter C>
+    void visit_blocks(std::uint64_t& waiting, Departures& departures, Flight* flights,
+                      C& count) const;
     template <Query Q, Counter C>
     void visit_leaf(Packet& packet, Packet::Section section, const Halt& halt, C& count) const;
     template <Query Q, Precision P, Counter C>

@@ -47,11 +47,13 @@ inline void for_each(std::uint64_t set, auto&& visit) {
 /// to wait until it is known that nothing writes there.
 struct Departures {
     std::uint64_t to_node = 0, to_leaf = 0;
-    /// Of leaves: those of triangles that are tested for several flights at once, the others, and
-    /// where there is none left.
-    std::uint64_t to_triangles = 0, to_others = 0, to_end = 0;
+    /// Of leaves: those of triangles and of spheres, which are tested for several flights at once,
+    /// the mixed ones, and where there is none left.
+    std::uint64_t to_triangles = 0, to_spheres = 0, to_mixed = 0, to_end = 0;
 
-    bool any() const { return (to_node | to_leaf | to_triangles | to_others | to_end) != 0; }
+    bool any() const {
+        return (to_node | to_leaf | to_triangles | to_spheres | to_mixed | to_end) != 0;
+    }
     void add(std::size_t flight, WideChild next) {
         const std::uint64_t leaf = !next.interior();
         to_node |= (leaf ^ 1) << flight;
@@ -62,8 +64,10 @@ struct Departures {
             const WideChild next = flights[flight].next;
             const std::uint64_t end = next.is_none();
             const std::uint64_t triangles = next.leaf().only_triangles();
+            const std::uint64_t mixed = next.leaf().is_mixed();
             to_triangles |= triangles << flight;
-            to_others |= (1 ^ triangles ^ end) << flight;
+            to_mixed |= mixed << flight;
+            to_spheres |= (1 ^ triangles ^ mixed ^ end) << flight;
             to_end |= end << flight;
         });
     }
@@ -96,10 +100,9 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
             go_on(number);
         });
         departures.sort_leaves(flights);
-        if (leaves_.precision() == Precision::standard)
-            visit_triangles<Q, Precision::standard>(departures, flights, count);
-        else visit_triangles<Q, Precision::watertight>(departures, flights, count);
-        for_each(std::exchange(departures.to_others, 0), [&](std::size_t number) {
+        visit_blocks<Q, TriangleBlock>(departures.to_triangles, departures, flights, count);
+        visit_blocks<Q, SphereBlock>(departures.to_spheres, departures, flights, count);
+        for_each(std::exchange(departures.to_mixed, 0), [&](std::size_t number) {
             Flight& flight = flights[number];
             visit_leaf<Q>(flight, count);
             flight.pop();
@@ -116,21 +119,26 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
 
 /// One block of each leaf, for as many flights at once as there are; fewer only where no other
 /// flight goes on.
-template <Query Q, Precision P, Counter C>
-inline void Bvh8::visit_triangles(Departures& departures, Flight* flights, C& count) const {
-    while (static_cast<std::size_t>(std::popcount(departures.to_triangles)) >= rays_by_blocks ||
-           (departures.to_triangles != 0 && departures.to_node == 0)) {
-        RaysAndBlocks pairs;
+template <Query Q, class Block, Counter C>
+inline void Bvh8::visit_blocks(std::uint64_t& waiting, Departures& departures, Flight* flights,
+                               C& count) const {
+    while (static_cast<std::size_t>(std::popcount(waiting)) >= rays_by_blocks ||
+           (waiting != 0 && departures.to_node == 0)) {
+        RaysAndBlocks<Block> pairs;
         std::array<std::size_t, rays_by_blocks> numbers;
         std::size_t together = 0;
-        for (; together < rays_by_blocks && departures.to_triangles != 0; ++together) {
-            numbers[together] = static_cast<std::size_t>(std::countr_zero(departures.to_triangles));
-            departures.to_triangles &= departures.to_triangles - 1;
+        for (; together < rays_by_blocks && waiting != 0; ++together) {
+            numbers[together] = static_cast<std::size_t>(std::countr_zero(waiting));
+            waiting &= waiting - 1;
             Flight& flight = flights[numbers[together]];
             pairs[together] = {&flight.ray, &flight.hit,
-                               &leaves_.triangles(flight.next.leaf().first_block())};
+                               &leaves_.block<Block>(flight.next.leaf().first_block())};
         }
-        test<P>(pairs, together, leaves_.padding(), count);
+        const float padding = leaves_.padding();
+        if constexpr (std::is_same_v<Block, SphereBlock>) test(pairs, together, padding, count);
+        else if (leaves_.precision() == Precision::standard)
+            test<Precision::standard>(pairs, together, padding, count);
+        else test<Precision::watertight>(pairs, together, padding, count);
         for (std::size_t i = 0; i < together; ++i) {
             Flight& flight = flights[numbers[i]];
             const PackedLeaf leaf = flight.next.leaf();

@@ -100,7 +100,7 @@ template <Query Q, Precision P, Counter C>
 inline void Bvh8::test_triangles(Packet& packet, std::size_t group, Packet::Mask active,
                                  PackedLeaf leaf, C& count) const {
     for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-        packet.test<Q, P>(group, active, leaves_.triangles(leaf.first_block() + i),
+        packet.test<Q, P>(group, active, leaves_.block<TriangleBlock>(leaf.first_block() + i),
                           leaves_.padding(), count);
 }
 
@@ -114,8 +114,8 @@ void Bvh8::test_others(Packet& packet, std::size_t group, Packet::Mask active, P
     if (leaf.only_triangles())
         return test_triangles<Q, Precision::watertight>(packet, group, active, leaf, count);
     for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-        packet.test<Q>(group, active, leaves_.spheres(leaf.first_block() + i), leaves_.padding(),
-                       count);
+        packet.test<Q>(group, active, leaves_.block<SphereBlock>(leaf.first_block() + i),
+                       leaves_.padding(), count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

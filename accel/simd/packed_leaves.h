@@ -81,9 +81,12 @@ public:
                            PackedLeaf::most_blocks} *
                sizeof(LeafBlock);
     }
-    /// For those who test many rays at once. Block of a leaf of triangles, or of one of spheres.
-    const TriangleBlock& triangles(std::uint32_t block) const { return blocks_[block].triangles; }
-    const SphereBlock& spheres(std::uint32_t block) const { return blocks_[block].spheres; }
+    /// For those who test many rays at once. Of a leaf of triangles, or of one of spheres.
+    template <class Block>
+    const Block& block(std::uint32_t i) const {
+        if constexpr (std::is_same_v<Block, TriangleBlock>) return blocks_[i].triangles;
+        else return blocks_[i].spheres;
+    }
     float padding() const { return padding_; }
     Precision precision() const { return precision_; }
 

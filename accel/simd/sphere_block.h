@@ -14,9 +14,9 @@ struct alignas(32) SphereBlock {
 
     std::array<Row, 3> centre{};
     Row radius{};
-    std::array<std::uint32_t, width> primitive;
+    std::array<std::uint32_t, width> primitive{};
 
-    SphereBlock() { primitive.fill(no_primitive); }
+    constexpr SphereBlock() { primitive.fill(no_primitive); }
     void set(std::size_t lane, const Sphere& sphere, std::uint32_t number) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             centre[axis][lane] = sphere.centre[static_cast<int>(axis)];

@@ -118,8 +118,9 @@ template <class V>
 /// t is NaN.
 template <class V>
 [[gnu::always_inline]] inline WideHit<V> clamped(WideHit<V> hit, const simd::Vectors<V>& corner,
-                          const WidePlanes<V>& bounds, const simd::Vectors<V>& origin,
-                          const simd::Vectors<V>& inverse, float padding) {
+                                                 const WidePlanes<V>& bounds,
+                                                 const simd::Vectors<V>& origin,
+                                                 const simd::Vectors<V>& inverse, float padding) {
     using namespace simd;
     constexpr hn::DFromV<V> tag;
     const auto as_it_is = inner_interval(corner, bounds, origin, inverse, padding).contains(hit.t);

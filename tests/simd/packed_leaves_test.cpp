@@ -151,13 +151,13 @@ TEST(PackedLeaf, of_one_kind_is_its_blocks) {
     const auto address = [&](PackedLeaf leaf) -> const void* {
         return leaves.first() + PackedLeaves::offset(leaf);
     };
-    EXPECT_EQ(address(triangles), &leaves.triangles(0));
-    EXPECT_EQ(address(spheres), &leaves.spheres(3));
-    EXPECT_EQ(address(more_triangles), &leaves.triangles(5));
+    EXPECT_EQ(address(triangles), &leaves.block<TriangleBlock>(0));
+    EXPECT_EQ(address(spheres), &leaves.block<SphereBlock>(3));
+    EXPECT_EQ(address(more_triangles), &leaves.block<TriangleBlock>(5));
     EXPECT_EQ(more_triangles.after_first().first_block(), 6u);
     EXPECT_EQ(more_triangles.after_first().block_count(), PackedLeaf::most_blocks - 1);
-    EXPECT_EQ(leaves.triangles(2).live(), 1u);
-    EXPECT_EQ(leaves.spheres(4).live(), 1u);
+    EXPECT_EQ(leaves.block<TriangleBlock>(2).live(), 1u);
+    EXPECT_EQ(leaves.block<SphereBlock>(4).live(), 1u);
     EXPECT_EQ(leaves.bytes(), (5 + 8 + 2 + 9) * sizeof(LeafBlock) + 3 * 20);
 }
 

@@ -9,59 +9,69 @@ using cases::Answer;
 using cases::HardLeaf;
 using cases::Mixture;
 
-/// Some primitives of a geometry, as a block and for the shared test.
-struct Block {
-    std::vector<std::uint32_t> members;
-    TriangleBlock block;
+void set(TriangleBlock& block, std::size_t lane, const Geometry& geometry, std::uint32_t i) {
+    block.set(lane, geometry.triangle(i), i);
+}
+void set(SphereBlock& block, std::size_t lane, const Geometry& geometry, std::uint32_t i) {
+    block.set(lane, geometry.sphere(i), i);
+}
 
-    Block(const Geometry& geometry, cases::Random& random) {
-        const std::uint32_t size = 1 + random.below(TriangleBlock::width);
-        for (std::uint32_t i = 0; i < size; ++i) {
-            members.push_back(random.below(geometry.size()));
-            block.set(i, geometry.triangle(members.back()), members.back());
+/// Some primitives of a geometry, as a block and for the shared test.
+template <class Block>
+struct Members {
+    std::vector<std::uint32_t> numbers;
+    Block block;
+
+    Members(const Geometry& geometry, cases::Random& random) {
+        const std::uint32_t size = 1 + random.below(Block::width);
+        for (std::uint32_t lane = 0; lane < size; ++lane) {
+            numbers.push_back(random.below(geometry.size()));
+            set(block, lane, geometry, numbers.back());
         }
     }
 };
 
-template <Precision P>
-void expect_like_the_shared_test() {
+/// test(pairs, size, padding, count)
+template <class Block, class Test>
+void expect_like_the_shared_test(Mixture mixture, Precision precision, Test&& test) {
     cases::Random random(1);
     Counters counts, wanted_counts;
     Tally tally{&counts};
     for (int i = 0; i < 20000; ++i) {
-        const HardLeaf hard(Mixture::triangles, P, random);
+        const HardLeaf hard(mixture, precision, random);
         const Geometry& geometry = hard.geometry;
         const std::size_t size = 1 + random.below(rays_by_blocks);
         std::vector<Ray> rays;
-        std::vector<Block> blocks;
-        for (std::size_t j = 0; j < size; ++j) {
-            blocks.emplace_back(geometry, random);
+        std::vector<Members<Block>> members;
+        const auto some_ray = [&] {
             const std::uint32_t target = random.below(geometry.size());
-            rays.push_back(cases::hard_ray(geometry, target, random));
+            return cases::hard_ray(geometry, target, random);
+        };
+        for (std::size_t j = 0; j < size; ++j) {
+            members.emplace_back(geometry, random);
+            rays.push_back(some_ray());
         }
         for (int round = 0; round < 6; ++round) {
-            RaysAndBlocks pairs;
+            RaysAndBlocks<Block> pairs;
             std::vector<TestRay> prepared;
             std::vector<Hit> found;
             for (const Ray& ray : rays) {
-                prepared.emplace_back(ray, P);
+                prepared.emplace_back(ray, precision);
                 found.push_back(nothing_yet(ray));
             }
             for (std::size_t j = 0; j < size; ++j)
-                pairs[j] = {&prepared[j], &found[j], &blocks[j].block};
-            test<P>(pairs, size, geometry.padding(), tally);
+                pairs[j] = {&prepared[j], &found[j], &members[j].block};
+            test(pairs, size, geometry.padding(), tally);
             for (std::size_t j = 0; j < size; ++j) {
                 const Answer wanted =
                     cases::ask(rays[j], [&](const Ray& ray, Hit& hit, auto& count) {
-                        for (const std::uint32_t primitive : blocks[j].members)
-                            test_primitive<Query::closest>(geometry, primitive, ray, hit, count);
+                        for (const std::uint32_t number : members[j].numbers)
+                            test_primitive<Query::closest>(geometry, number, ray, hit, count);
                     });
                 wanted_counts += wanted.counts;
                 ASSERT_TRUE(cases::same_bits(found[j], wanted.hit)) << cases::print(rays[j]);
-                // In the next round, up to the hit.
-                if (wanted.hit.primitive != no_primitive)
-                    rays[j] = cases::ending_near(rays[j], wanted.hit.t, random);
-                else rays[j] = cases::hard_ray(geometry, random.below(geometry.size()), random);
+                const bool hit = wanted.hit.primitive != no_primitive;
+                rays[j] = hit ? cases::ending_near(rays[j], wanted.hit.t, random) : some_ray();
             }
             ASSERT_EQ(counts, wanted_counts);
         }
@@ -70,12 +80,28 @@ void expect_like_the_shared_test() {
     EXPECT_GT(counts[Event::object_hit], counts[Event::object_test] / 10);
 }
 
+template <Precision P>
+void expect_triangles_like_the_shared_test() {
+    expect_like_the_shared_test<TriangleBlock>(
+        Mixture::triangles, P, [](auto& pairs, std::size_t size, float padding, auto& count) {
+            test<P>(pairs, size, padding, count);
+        });
+}
+
 TEST(RaysByBlocks, answer_like_the_shared_test) {
-    expect_like_the_shared_test<Precision::standard>();
+    expect_triangles_like_the_shared_test<Precision::standard>();
 }
 
 TEST(RaysByBlocks, answer_like_the_shared_test_of_watertight_triangles) {
-    expect_like_the_shared_test<Precision::watertight>();
+    expect_triangles_like_the_shared_test<Precision::watertight>();
+}
+
+TEST(RaysByBlocks, answer_like_the_shared_test_of_spheres) {
+    expect_like_the_shared_test<SphereBlock>(
+        Mixture::spheres, Precision::standard,
+        [](auto& pairs, std::size_t size, float padding, auto& count) {
+            test(pairs, size, padding, count);
+        });
 }
 
 }  // namespace
