@@ -43,7 +43,7 @@ TEST(Packet, beam_meets_every_box_that_a_ray_meets) {
             each[j].include(each[j].lo + random.in_cube(0.3));
             boxes.set(j, each[j]);
         }
-        const auto [entry, exit] = packet.beam().clip(boxes);
+        const auto [entry, exit] = packet.beam(packet.all()).clip(boxes);
         std::array<float, 8> entries, exits;
         simd::hn::StoreU(entry, simd::floats<8>, entries.data());
         simd::hn::StoreU(exit, simd::floats<8>, exits.data());
@@ -79,7 +79,7 @@ TEST(Packet, rays_answer_like_single_rays) {
         box.set(0, geometry.bounds(0));
         Counters counts, wanted_counts;
         Tally tally{&counts}, wanted_tally{&wanted_counts};
-        for (std::size_t group = 0; group < packet.groups(); ++group)
+        for (std::size_t group = 0; group < packet.all().end(); ++group)
             packet.test<Query::closest>(group, packet.meets(group, box, 0), block,
                                         geometry.padding(), tally);
         for (std::size_t j = 0; j < rays.size(); ++j) {
