@@ -1,7 +1,6 @@
 #include "accel/bvh8/bvh8.h"
 
-#include "accel/bvh/boxes.h"
-#include "accel/bvh/build.h"
+#include "accel/bvh/builders.h"
 
 #include <algorithm>
 
@@ -118,21 +117,20 @@ private:
 
 Bvh8::Bvh8(const BuildInput& input, const Options& chosen)
     : padding_(input.geometry.padding()), precision_(input.geometry.precision()) {
-    const BinaryTree tree =
-        build_binned_sah(boxes_of(input.geometry),
-                         {.bins = chosen.integer("bins", 2, 256),
-                          .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 32)),
-                          .deepest = Flight::deepest,
-                          .test_width = TriangleBlock::width});
+    const BinaryTree tree = build_tree(
+        input.geometry.all_bounds(),
+        {.build = chosen_build(chosen),
+         .sah = {.bins = chosen.integer("bins", 2, BinnedSah::most_bins),
+                 .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 32)),
+                 .deepest = Flight::deepest,
+                 .test_width = TriangleBlock::width}});
     Layout layout(input.geometry, tree);
     nodes_ = std::move(layout.nodes);
     blocks_ = std::move(layout.blocks);
     mixed_ = std::move(layout.mixed);
     others_ = Leaves(input.geometry, layout.order, mixed_);
     footprint_ = {.interior = nodes_.size(),
-                  .leaves = static_cast<std::uint64_t>(
-                      std::count_if(tree.nodes.begin(), tree.nodes.end(),
-                                    [](const BinaryTree::Node& node) { return node.count > 0; })),
+                  .leaves = tree.leaves,
                   .empty_leaves = 0,
                   .references = tree.order.size(),
                   .depth = static_cast<std::uint64_t>(tree.depth),

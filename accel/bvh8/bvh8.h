@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/bvh/builders.h"
 #include "accel/bvh8/flight.h"
 #include "accel/bvh8/packet.h"
 #include "accel/core/session.h"
@@ -16,13 +17,14 @@ public:
         "bounding-volume hierarchy: binned SAH, 8-wide, SIMD leaves, packets, rays in flight";
     static constexpr bool complete = true, remembers = false;
     static constexpr std::array options{
-        OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
+        build_option, OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
         OptionInfo{"bins", "2 to 256", "16", "bins per axis that a split is chosen from"},
         OptionInfo{"packets", "on|off", "on", "coherent rays go together, up to 64"},
         OptionInfo{"flight", "0 to 64", "0",
                    "incoherent rays in flight; 0: 1 or 16, by the size of the tree"}};
-    static constexpr std::array<std::string_view, 4> configurations{
-        "bvh8", "bvh8:packets=off,flight=1", "bvh8:packets=off,flight=16", "bvh8:leaf=32,bins=4"};
+    static constexpr std::array<std::string_view, 5> configurations{
+        "bvh8", "bvh8:build=fast", "bvh8:packets=off,flight=1", "bvh8:packets=off,flight=16",
+        "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
 
     /// A child that a packet is still to visit, and where its beam enters it.

@@ -43,6 +43,8 @@ public:
     /// The primitive's own bounds, over the whole shutter: what its hits are clamped to.
     const Box& bounds(std::uint32_t primitive) const { return bounds_[primitive]; }
     const Box& bounds() const { return scene_bounds_; }
+    /// The bounds of all primitives, in their order.
+    std::span<const Box> all_bounds() const { return bounds_; }
 
     /// Bounds of the part of a primitive inside `box`, grown by `radius` (see error_radius) and
     /// never larger than its own bounds; empty when no part is inside. Movers: their whole bounds.
