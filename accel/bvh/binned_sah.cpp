@@ -100,11 +100,10 @@ private:
     float tests(std::uint32_t boxes) const {
         return static_cast<float>((boxes + settings_.test_width - 1) / settings_.test_width);
     }
-    /// Many bins for few boxes cost time, and gain nothing.
+    /// For few boxes many bins cost more than they gain.
     int bins(const Range& range) const {
-        return std::min(settings_.bins, range.count <= 8    ? 5
-                                        : range.count <= 32 ? 9
-                                                            : BinnedSah::most_bins);
+        const int enough = range.count <= 8 ? 5 : range.count <= 32 ? 9 : BinnedSah::most_bins;
+        return settings_.save_bins ? std::min(settings_.bins, enough) : settings_.bins;
     }
 
     Extent make_leaf(const Range& range) {

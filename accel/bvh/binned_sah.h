@@ -9,7 +9,8 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 struct BinnedSah {
     static constexpr int most_bins = 256;
 
-    int bins = 16;  ///< at most most_bins
+    int bins = 16;          ///< per axis, at most most_bins
+    bool save_bins = true;  ///< where boxes are few
     std::uint32_t largest_leaf = 4;
     int deepest = 64;
     float step_cost = 1, test_cost = 1;  ///< of a node and of a test, in one unit

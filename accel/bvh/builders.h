@@ -6,7 +6,7 @@
 /// The builders by class: how much time for how good a tree.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-enum class TreeBuild : std::uint8_t { fast, standard };
+enum class TreeBuild : std::uint8_t { fast, standard, high };
 
 struct TreeSettings {
     TreeBuild build = TreeBuild::standard;
@@ -17,8 +17,8 @@ struct TreeSettings {
 BinaryTree build_tree(std::span<const Box> boxes, const TreeSettings& settings);
 
 /// The option `build` of a structure.
-inline constexpr OptionInfo build_option{"build", "fast|default", "default",
-                                         "time for a better tree: Morton codes, binned SAH"};
+inline constexpr OptionInfo build_option{"build", "fast|default|high", "default",
+                                         "Morton codes, binned SAH, or the latter reinserted"};
 TreeBuild chosen_build(const Options& options);
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -16,8 +16,8 @@ public:
     static constexpr std::array options{
         build_option, OptionInfo{"leaf", "1 to 64", "4", "most primitives in a leaf"},
         OptionInfo{"bins", "2 to 256", "16", "bins per axis that a split is chosen from"}};
-    static constexpr std::array<std::string_view, 4> configurations{
-        "bvh", "bvh:build=fast", "bvh:leaf=1", "bvh:leaf=8,bins=4"};
+    static constexpr std::array<std::string_view, 5> configurations{
+        "bvh", "bvh:build=fast", "bvh:build=high", "bvh:leaf=1", "bvh:leaf=8,bins=4"};
     static constexpr int deepest = 64;  ///< levels; the builder keeps to it, the stack relies on it
     struct Scratch {};
 

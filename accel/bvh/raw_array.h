@@ -2,6 +2,7 @@
 
 #include "accel/core/pages.h"
 
+#include <cstring>
 #include <memory>
 #include <type_traits>
 
@@ -16,6 +17,12 @@ public:
     RawArray() = default;
     explicit RawArray(std::size_t size)
         : elements_(static_cast<T*>(allocate_pages(size * sizeof(T)))), size_(size) {}
+
+    RawArray copy() const {
+        RawArray copied(size_);
+        std::memcpy(static_cast<void*>(copied.data()), data(), size_ * sizeof(T));
+        return copied;
+    }
 
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }

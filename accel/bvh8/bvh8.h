@@ -22,9 +22,12 @@ public:
         OptionInfo{"packets", "on|off", "on", "coherent rays go together, up to 64"},
         OptionInfo{"flight", "0 to 64", "0",
                    "incoherent rays in flight; 0: 1 or 16, by the size of the tree"}};
-    static constexpr std::array<std::string_view, 5> configurations{
-        "bvh8", "bvh8:build=fast", "bvh8:packets=off,flight=1", "bvh8:packets=off,flight=16",
-        "bvh8:leaf=32,bins=4"};
+    static constexpr std::array<std::string_view, 6> configurations{"bvh8",
+                                                                    "bvh8:build=fast",
+                                                                    "bvh8:build=high",
+                                                                    "bvh8:packets=off,flight=1",
+                                                                    "bvh8:packets=off,flight=16",
+                                                                    "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
 
     /// A child that a packet is still to visit, and where its beam enters it.

@@ -28,7 +28,7 @@ RTCSceneFlags flags(const Geometry& geometry) {
 }  // namespace
 
 Scene::Scene(const Geometry& geometry, RTCBuildQuality quality)
-    : geometry_(geometry), scene_(rtcNewScene(device_.handle())) {
+    : geometry_(geometry), quality_(quality), scene_(rtcNewScene(device_.handle())) {
     const Sorted sorted(geometry);
     takes_near_end_ = geometry.precision() == Precision::watertight || !sorted.spheres.empty();
     rtcSetSceneFlags(handle(), flags(geometry));
@@ -46,6 +46,8 @@ Scene::Scene(const Geometry& geometry, RTCBuildQuality quality)
 
 void Scene::attach(RTCGeometry geometry, const Numbers& numbers) {
     rtcSetGeometryMask(geometry, 0xffffffff);
+    // A scene of low quality builds each geometry by that one's own quality, which is not its own.
+    if (quality_ == RTC_BUILD_QUALITY_LOW) rtcSetGeometryBuildQuality(geometry, quality_);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(handle(), geometry, attached_);
     rtcReleaseGeometry(geometry);

@@ -52,6 +52,7 @@ private:
     void attach(RTCGeometry geometry, const std::vector<std::uint32_t>& numbers);
 
     const Geometry& geometry_;
+    const RTCBuildQuality quality_;
     Device device_;
     UserGeometry user_;
     std::unique_ptr<std::remove_pointer_t<RTCScene>, Release> scene_;

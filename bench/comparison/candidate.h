@@ -19,8 +19,8 @@ struct Candidate {
     bool is_embree() const { return spec == "embree" || spec.starts_with("embree:"); }
 };
 
-/// Builds it, again and again up to `repetitions` times while that is quick.
+/// Builds it on `threads` threads, again and again up to `repetitions` times while that is quick.
 Candidate make_candidate(const Catalogue& catalogue, const std::string& spec,
-                         const BuildInput& input, int repetitions);
+                         const BuildInput& input, int threads, int repetitions = 1);
 
 }  // namespace rayshoot

@@ -48,7 +48,8 @@ private:
         std::vector<Candidate> candidates;
         for (const std::string& spec : plan_.structures) {
             progress_.advance("build/" + scene.name + "/" + spec);
-            candidates.push_back(make_candidate(catalogue_, spec, input, plan_.repetitions));
+            candidates.push_back(
+                make_candidate(catalogue_, spec, input, plan_.threads, plan_.repetitions));
         }
         for (RayStream& stream : streams) {
             stream.scene = scene.name;

@@ -62,7 +62,7 @@ void set_up(const Catalogue& catalogue, const ComparisonPlan& plan, const std::s
     }
     stage->input.emplace(build_input(stage->scene, format));
     for (const std::string& spec : plan.structures) {
-        stage->candidates.push_back(make_candidate(catalogue, spec, *stage->input, 1));
+        stage->candidates.push_back(make_candidate(catalogue, spec, *stage->input, plan.threads));
     }
     for (const RayStream& stream : stage->streams) judge_and_register(stage, stream);
 }

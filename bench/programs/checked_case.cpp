@@ -41,7 +41,7 @@ std::vector<std::shared_ptr<CheckedCase>> checked_cases(const Catalogue& catalog
             checked->spec = spec;
             checked->format = plan.format;
             if (!plan.wants(row_name(family, *checked))) continue;
-            Candidate candidate = make_candidate(catalogue, spec, input, 1);
+            Candidate candidate = make_candidate(catalogue, spec, input, plan.threads);
             if (!candidate.refusal.empty() && plan.rows.empty()) continue;
             checked->error = reason_to_fail(catalogue, plan, input, candidate);
             if (checked->error.empty()) checked->accel = std::move(candidate.accel);

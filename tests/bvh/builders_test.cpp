@@ -12,7 +12,7 @@
 namespace rayshoot::bvh_test {
 namespace {
 
-constexpr std::array all_builds{TreeBuild::fast, TreeBuild::standard};
+constexpr std::array all_builds{TreeBuild::fast, TreeBuild::standard, TreeBuild::high};
 constexpr int deepest = 64;
 
 std::string name_of(TreeBuild build) { return build == TreeBuild::fast ? "fast" : "default"; }
@@ -146,6 +146,8 @@ TEST(TreeBuilders, trade_time_for_cost) {
         const std::vector<Box> boxes = random_boxes(20000, size, 6);
         const double fast = sah_cost(build_tree(boxes, settings_for(TreeBuild::fast)));
         const double standard = sah_cost(build_tree(boxes, settings_for(TreeBuild::standard)));
+        const double high = sah_cost(build_tree(boxes, settings_for(TreeBuild::high)));
+        EXPECT_LE(high, standard) << size;
         EXPECT_LE(standard, fast) << size;
         EXPECT_LE(fast, 1.4 * standard) << size;
     }
