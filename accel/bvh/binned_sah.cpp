@@ -102,8 +102,8 @@ private:
     }
     /// For few boxes many bins cost more than they gain.
     int bins(const Range& range) const {
-        const int enough = range.count <= 8 ? 5 : range.count <= 32 ? 9 : BinnedSah::most_bins;
-        return settings_.save_bins ? std::min(settings_.bins, enough) : settings_.bins;
+        const bool few = range.count <= 16 && settings_.save_bins;
+        return few ? std::min(settings_.bins, 9) : settings_.bins;
     }
 
     Extent make_leaf(const Range& range) {

@@ -17,7 +17,7 @@ constexpr int deepest = 64;
 
 std::string name_of(TreeBuild build) { return build == TreeBuild::fast ? "fast" : "default"; }
 
-TreeSettings settings_for(TreeBuild build, std::uint32_t test_width = 8) {
+TreeSettings settings_for(TreeBuild build, std::uint32_t test_width = 4) {
     TreeSettings settings;
     settings.build = build;
     settings.sah.deepest = deepest;
@@ -41,11 +41,11 @@ void walk(const BinaryTree& tree, const Visit& visit) {
     }
 }
 
-/// MacDonald & Booth 1990, with tests of eight boxes at once.
+/// MacDonald & Booth 1990, with tests of four boxes at once.
 double sah_cost(const BinaryTree& tree) {
     double cost = 0;
     walk(tree, [&](const BinaryTree::Node& node, int) {
-        cost += double(node.bounds.half_area()) * (node.count > 0 ? (node.count + 7) / 8 : 1);
+        cost += double(node.bounds.half_area()) * (node.count > 0 ? (node.count + 3) / 4 : 1);
     });
     return cost / double(tree.nodes.front().bounds.half_area());
 }
