@@ -16,7 +16,7 @@ inline void Bvh8::trace_alone(Flight& flight, C& count) const {
             flight.pop();
             continue;
         }
-        const WideNode& node = nodes_[flight.next.number()];
+        const WideNode& node = node_at(flight.next);
         const Children children = meet(flight, node, count);
         std::uint32_t places = children.places;
         if (places == 0) {
@@ -37,11 +37,11 @@ inline void Bvh8::trace_alone(Flight& flight, C& count) const {
             const WideChild other = node.child(place);
             fetch(other);
             if (Q == Query::closest && entries[place] < nearest) {
-                flight.push(flight.next, nearest);
+                flight.stack.push(flight.next, nearest);
                 flight.next = other;
                 nearest = entries[place];
             } else {
-                flight.push(other, entries[place]);
+                flight.stack.push(other, entries[place]);
             }
         } while (places != 0);
     }

@@ -1,15 +1,12 @@
 #include "accel/bvh8/bvh8.h"
 
 #include "accel/bvh/builders.h"
+#include "accel/simd/leaf_packer.h"
 
 #include <algorithm>
 
 namespace rayshoot::inline RAYSHOOT_ISA {
 namespace {
-
-/// Bytes of a tree from which on rays in flight beat one ray at a time: more than a second-level
-/// cache holds.
-constexpr std::uint64_t larger_than_caches = std::uint64_t{8} << 20;
 
 /// The binary nodes that become the children of one wide node: the one with the largest box is
 /// replaced by its two children until there are eight (Wald, Benthin & Boulos 2008).
@@ -49,9 +46,8 @@ private:
 /// Lays a binary tree out as wide nodes, depth first, and its leaves in the order of the nodes.
 class Layout {
 public:
-    Layout(const Geometry& geometry, const BinaryTree& tree) : geometry_(geometry), tree_(tree) {
+    Layout(const Geometry& geometry, const BinaryTree& tree) : leaves(geometry), tree_(tree) {
         nodes.reserve(tree.nodes.size() / 6 + 1);
-        blocks.reserve(tree.order.size() / 3 + 1);
         nodes.emplace_back();
         if (!tree.nodes.empty()) pending_.push_back({0, 0});
         while (!pending_.empty()) {
@@ -62,9 +58,7 @@ public:
     }
 
     PagedVector<WideNode> nodes;
-    PagedVector<TriangleBlock> blocks;
-    std::vector<LeafRange> mixed;
-    std::vector<std::uint32_t> order;  ///< of what is in the mixed leaves
+    LeafPacker leaves;
 
 private:
     struct Pending {
@@ -89,57 +83,36 @@ private:
     }
 
     WideChild leaf(const BinaryTree::Node& leaf) {
-        const auto members = std::span(tree_.order).subspan(leaf.first, leaf.count);
-        const bool plain = std::all_of(members.begin(), members.end(), [&](std::uint32_t number) {
-            const PrimitiveRef& ref = geometry_.ref(number);
-            return ref.kind == PrimitiveKind::triangle && ref.motion == no_motion;
-        });
-        if (!plain || geometry_.precision() != Precision::standard) {
-            mixed.push_back({static_cast<std::uint32_t>(order.size()), leaf.count});
-            order.insert(order.end(), members.begin(), members.end());
-            return WideChild::mixed(static_cast<std::uint32_t>(mixed.size() - 1));
-        }
-        const auto first = static_cast<std::uint32_t>(blocks.size());
-        for (std::size_t i = 0; i < members.size(); ++i) {
-            if (i % TriangleBlock::width == 0) blocks.emplace_back();
-            blocks.back().set(i % TriangleBlock::width,
-                              geometry_.triangle(geometry_.ref(members[i]).index), members[i]);
-        }
-        return WideChild::blocks(first, static_cast<std::uint32_t>(blocks.size()) - first);
+        return WideChild::leaf(leaves.add(std::span(tree_.order).subspan(leaf.first, leaf.count)));
     }
 
-    const Geometry& geometry_;
     const BinaryTree& tree_;
     std::vector<Pending> pending_;
 };
 
 }  // namespace
 
-Bvh8::Bvh8(const BuildInput& input, const Options& chosen)
-    : padding_(input.geometry.padding()), precision_(input.geometry.precision()) {
+Bvh8::Bvh8(const BuildInput& input, const Options& chosen) {
     const BinaryTree tree = build_tree(
         input.geometry.all_bounds(),
         {.build = chosen_build(chosen),
          .sah = {.bins = chosen.integer("bins", 2, BinnedSah::most_bins),
                  .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 32)),
-                 .deepest = Flight::deepest,
+                 .deepest = Stack::deepest,
                  .test_width = TriangleBlock::width}});
     Layout layout(input.geometry, tree);
     nodes_ = std::move(layout.nodes);
-    blocks_ = std::move(layout.blocks);
-    mixed_ = std::move(layout.mixed);
-    others_ = Leaves(input.geometry, layout.order, mixed_);
+    leaves_ = std::move(layout.leaves).build();
+    firsts_ = {reinterpret_cast<const std::byte*>(nodes_.data()), leaves_.first()};
     footprint_ = {.interior = nodes_.size(),
                   .leaves = tree.leaves,
                   .empty_leaves = 0,
                   .references = tree.order.size(),
                   .depth = static_cast<std::uint64_t>(tree.depth),
-                  .bytes = nodes_.size() * sizeof(WideNode) +
-                           blocks_.size() * sizeof(TriangleBlock) +
-                           mixed_.size() * sizeof(LeafRange) + others_.bytes()};
-    packets_ = chosen.flag("packets") && mixed_.empty();
-    in_flight_ = static_cast<std::size_t>(chosen.integer("flight", 0, most_flights));
-    if (in_flight_ == 0) in_flight_ = *footprint_.bytes > larger_than_caches ? 16 : 1;
+                  .bytes = nodes_.size() * sizeof(WideNode) + leaves_.bytes()};
+    packets_ = chosen.flag("packets") && leaves_.only_triangles() &&
+               input.geometry.precision() == Precision::standard;
+    in_flight_ = static_cast<std::size_t>(chosen.integer("flight", 1, most_flights));
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -10,6 +10,8 @@
 /// that one ray's wait for memory is the others' time. See README.md.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
+struct Departures;
+
 class Bvh8 {
 public:
     static constexpr std::string_view name = "bvh8";
@@ -20,8 +22,7 @@ public:
         build_option, OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
         OptionInfo{"bins", "2 to 256", "16", "bins per axis that a split is chosen from"},
         OptionInfo{"packets", "on|off", "on", "coherent rays go together, up to 64"},
-        OptionInfo{"flight", "0 to 64", "0",
-                   "incoherent rays in flight; 0: 1 or 16, by the size of the tree"}};
+        OptionInfo{"flight", "1 to 64", "16", "incoherent rays on their way at once"}};
     static constexpr std::array<std::string_view, 6> configurations{"bvh8",
                                                                     "bvh8:build=fast",
                                                                     "bvh8:build=high",
@@ -73,18 +74,20 @@ private:
     struct Children;
     template <Counter C>
     Children meet(const Flight& flight, const WideNode& node, C& count) const;
+    template <Counter C>
+    void cross(Flight& flight, C& count) const;
     template <Query Q, Counter C>
     void visit_leaf(Flight& flight, C& count) const;
     template <Query Q, Counter C>
+    void visit_triangles(Departures& departures, Flight* flights, C& count) const;
+    template <Query Q, Counter C>
     void visit_leaf(Packet& packet, const WideNode& parent, std::size_t place, C& count) const;
     void fetch(WideChild child) const;
+    const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
 
     PagedVector<WideNode> nodes_;
-    PagedVector<TriangleBlock> blocks_;
-    std::vector<LeafRange> mixed_;  ///< leaves of anything but plain triangles, in `others_`
-    Leaves others_;
-    float padding_ = 0;
-    Precision precision_ = Precision::standard;
+    PackedLeaves leaves_;
+    std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
     std::size_t in_flight_ = 1;
     Footprint footprint_;
@@ -117,22 +120,20 @@ inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scr
     if (in_flight_ > 1) return trace_in_flight<Q>(part, answers, scratch, count);
     Flight& flight = scratch.flights.front();
     for (std::size_t i = 0; i < part.rays.size(); ++i) {
-        flight.start(part.rays[i], part.best(i), i, precision_);
+        flight.start(part.rays[i], part.best(i), i, leaves_.precision());
         trace_alone<Q>(flight, count);
         answers.store(part.first + i, flight.hit);
     }
 }
 
-/// Asks for the memory of a child before its turn comes.
+/// Asks for the memory of a child before its turn comes. Which kind it is cannot be foretold, so
+/// the place of either is computed.
 inline void Bvh8::fetch(WideChild child) const {
-    // Numbers, not pointers: only one of the two is an address of ours.
-    const auto node =
-        reinterpret_cast<std::uintptr_t>(nodes_.data()) + child.number() * sizeof(WideNode);
-    const auto block = reinterpret_cast<std::uintptr_t>(blocks_.data()) +
-                       child.first_block() * sizeof(TriangleBlock);
-    const std::uintptr_t line = child.interior() ? node : block;
-    for (std::size_t i = 0; i < sizeof(WideNode); i += 64)
-        __builtin_prefetch(reinterpret_cast<const void*>(line + i));
+    const std::size_t node = std::size_t{child.number()} * sizeof(WideNode);
+    const std::size_t block = PackedLeaves::offset(child.leaf());
+    const std::byte* const first =
+        firsts_[child.interior() ? 0 : 1] + simd::select(child.interior(), node, block);
+    for (std::size_t i = 0; i < sizeof(WideNode); i += 64) __builtin_prefetch(first + i);
 }
 
 /// The children of a node that a ray meets, and where it enters them.
@@ -150,15 +151,16 @@ inline Bvh8::Children Bvh8::meet(const Flight& flight, const WideNode& node, C& 
     constexpr auto tag = floats<WideNode::width>;
     count(Event::step);
     if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
-    const TestRay& ray = flight.ray;
-    auto entry = hn::Set(tag, ray.t_min), exit = hn::Set(tag, flight.hit.t);
+    auto entry = hn::Set(tag, flight.ray.t_min), exit = hn::Set(tag, flight.hit.t);
+    const float* const planes = node.bounds.planes[0].data();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto origin = hn::Set(tag, ray.origin[static_cast<int>(axis)]);
-        const auto inverse = hn::Set(tag, ray.inverse[static_cast<int>(axis)]);
-        const auto near = hn::Load(tag, node.bounds.planes[ray.near[axis]].data());
-        const auto far = hn::Load(tag, node.bounds.planes[ray.far[axis]].data());
-        entry = larger(hn::Mul(hn::Sub(near, origin), inverse), entry);
-        exit = smaller(hn::Mul(hn::Sub(far, origin), inverse), exit);
+        // Both factors negated: the same product, and the planes can stay in memory.
+        const auto origin = hn::Set(tag, flight.origin[static_cast<int>(axis)]);
+        const auto towards = hn::Set(tag, flight.towards[static_cast<int>(axis)]);
+        const auto near = hn::Load(tag, planes + flight.near[axis]);
+        const auto far = hn::Load(tag, planes + flight.far[axis]);
+        entry = larger(hn::Mul(hn::Sub(origin, near), towards), entry);
+        exit = smaller(hn::Mul(hn::Sub(origin, far), towards), exit);
     }
     const auto met = hn::Le(entry, exit);
     return {entry, met, bits(tag, met)};
@@ -166,15 +168,8 @@ inline Bvh8::Children Bvh8::meet(const Flight& flight, const WideNode& node, C& 
 
 template <Query Q, Counter C>
 inline void Bvh8::visit_leaf(Flight& flight, C& count) const {
-    const WideChild leaf = flight.next;
     count(Event::cell);
-    if (leaf.is_mixed()) [[unlikely]]
-        return others_.template test<Q>(mixed_[leaf.number()], flight.ray, flight.hit, count);
-    for (std::uint32_t i = 0; i < leaf.block_count(); ++i) {
-        test(blocks_[leaf.first_block() + i], flight.ray, padding_, flight.hit, count);
-        if constexpr (Q == Query::occluded)
-            if (flight.hit.primitive != no_primitive) return;
-    }
+    leaves_.template test<Q>(flight.next.leaf(), flight.ray, flight.hit, count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -2,42 +2,101 @@
 
 #include "accel/bvh8/node.h"
 #include "accel/core/leaves.h"
+#include "accel/simd/lanes.h"
 
 /// A ray on its way through the tree.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-struct Flight {
+/// Children that are still to be visited, and where the ray enters them.
+class Stack {
+public:
     static constexpr std::size_t deepest = 64;  ///< levels of the tree
-    /// A node leaves seven children behind at most; eight are written at once.
-    static constexpr std::size_t stack_size = (WideNode::width - 1) * deepest + WideNode::width + 1;
 
+    void clear() { top_ = lowest; }
+    WideChild top() const { return WideChild::from(children_[top_ - 1]); }
+    /// Writes eight, of which `count` count.
+    void push(std::size_t count, simd::Words<8> children, simd::Floats<8> entries) {
+        simd::hn::StoreU(children, simd::words<8>, &children_[top_]);
+        simd::hn::StoreU(entries, simd::floats<8>, &entries_[top_]);
+        top_ += count;
+    }
+    void push(WideChild child, float entry) {
+        children_[top_] = child.bits();
+        entries_[top_++] = entry;
+    }
+    void drop() { --top_; }
+    /// Drops what begins behind `nearest` among the last eight, and returns the last one of the
+    /// others. Closed: what begins exactly at the hit may hold a tie with a smaller number.
+    WideChild cull(float nearest) {
+        using namespace simd;
+        const std::size_t first = top_ - 8;
+        const auto children = hn::LoadU(words<8>, &children_[first]);
+        const auto entries = hn::LoadU(floats<8>, &entries_[first]);
+        const std::uint32_t kept = bits(floats<8>, hn::Le(entries, hn::Set(floats<8>, nearest)));
+        // Read before it is written: a value that has just been stored would have to be waited for.
+        const auto last = static_cast<std::size_t>(std::bit_width(kept));
+        const WideChild next = WideChild::from(children_[first + last - 1]);
+        top_ = first;
+        push(static_cast<std::size_t>(std::popcount(kept)), compress(children, kept),
+             compress(entries, kept));
+        return next;
+    }
+
+private:
+    /// Below the first entry lie as many that are no children, so that nothing asks whether one is
+    /// left.
+    static constexpr std::size_t lowest = 9,
+                                 size = lowest + (WideNode::width - 1) * deepest + WideNode::width;
+    static constexpr auto nobody = [] {
+        std::array<std::uint32_t, size> children{};
+        children.fill(0xffffffff);
+        return children;
+    }();
+    static constexpr auto nowhere = [] {
+        std::array<float, size> entries{};
+        entries.fill(-infinity);
+        return entries;
+    }();
+
+    std::size_t top_ = lowest;
+    std::array<std::uint32_t, size> children_ = nobody;
+    std::array<float, size> entries_ = nowhere;
+};
+
+struct alignas(64) Flight {
+    /// What a step finds out before another decides where to go.
+    struct Crossing {
+        alignas(32) std::array<float, WideNode::width> entries;  ///< into each child
+        const WideNode* node;
+        std::uint32_t places;  ///< of the children that are met, a bit each
+        std::int32_t nearest;  ///< of the last three bits, if one is met
+    } crossing;
+    vec3 origin;
+    vec3 towards;                           ///< - 1 / direction
+    std::array<std::uint32_t, 3> near, far;  ///< first floats of the planes that the ray meets
     TestRay ray{Ray{}, Precision::standard};
     Hit hit;
-    WideChild next = WideChild::none();              ///< what is visited next
-    std::size_t number = 0;                          ///< of the ray in its batch
-    std::size_t top = 0;                             ///< how much of the stack is in use
-    std::array<std::uint32_t, stack_size> children;  ///< still to be visited, and ...
-    std::array<float, stack_size> entries;           ///< ... where the ray enters them
+    WideChild next = WideChild::none();  ///< what is visited next
+    std::uint32_t number = 0;            ///< of the ray in its batch
+    Stack stack;
 
     /// `best`: the nearest hit so far.
     void start(const Ray& from, const Hit& best, std::size_t n, Precision precision) {
         std::construct_at(&ray, from, precision);  // in place: a copy would wait for its stores
+        origin = ray.origin;
+        towards = -ray.inverse;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            near[axis] = static_cast<std::uint32_t>(ray.near[axis] * WideNode::width);
+            far[axis] = static_cast<std::uint32_t>(ray.far[axis] * WideNode::width);
+        }
         hit = best;
         next = WideChild::node(0);
-        number = n;
-        children[0] = WideChild::none().bits();
-        entries[0] = -infinity;
-        top = 1;
+        number = static_cast<std::uint32_t>(n);
+        stack.clear();
     }
-    void push(WideChild child, float entry) {
-        children[top] = child.bits();
-        entries[top++] = entry;
-    }
-    /// Closed: what begins exactly at the hit may hold a tie with a smaller number.
     void pop() {
-        do --top;
-        while (entries[top] > hit.t);
-        next = WideChild::from(children[top]);
+        next = stack.cull(hit.t);
+        stack.drop();
     }
 };
 

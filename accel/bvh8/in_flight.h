@@ -1,94 +1,148 @@
 #pragma once
 
 #include "accel/bvh8/bvh8.h"
+#include "accel/simd/rays_by_blocks.h"
 
 /// Many rays on their way at once: each in turn takes one step, whose memory was asked for a round
-/// before. A step has no branch that depends on the ray, so that steps of several rays overlap.
+/// before. No branch depends on a ray, so that the steps of several rays overlap.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// Pushes the children that are met, the nearest one on top, the others in any order.
-template <Query Q>
-inline void push_all(Flight& flight, const WideNode& node, auto entry, auto met,
-                     std::uint32_t places) {
+/// Which children the ray meets, and which of them first: by its entry's bits, with the place
+/// instead of the last three.
+template <Counter C>
+inline void Bvh8::cross(Flight& flight, C& count) const {
     using namespace simd;
     constexpr auto tag = floats<WideNode::width>;
-    constexpr auto word = words<WideNode::width>;
-    const auto child = hn::Load(word, node.children.data());
-    std::uint32_t* children = &flight.children[flight.top];
-    float* entries = &flight.entries[flight.top];
-    flight.top += static_cast<std::size_t>(std::popcount(places));
-    if constexpr (Q == Query::occluded) {
-        hn::StoreU(compress(child, places), word, children);
-        hn::StoreU(compress(entry, places), tag, entries);
-        return;
-    }
-    const auto distance = hn::IfThenElse(met, entry, hn::Set(tag, infinity));
-    const auto least = hn::MinOfLanes(tag, distance);
-    const std::uint32_t nearest = bits(tag, hn::Eq(distance, least)) & places;
-    const std::uint32_t first = nearest & (0u - nearest), others = places ^ first;
-    hn::StoreU(compress(child, others), word, children);
-    hn::StoreU(compress(entry, others), tag, entries);
-    if (places == 0) return;
-    flight.children[flight.top - 1] =
-        node.children[static_cast<std::size_t>(std::countr_zero(first))];
-    flight.entries[flight.top - 1] = hn::GetLane(least);
+    constexpr hn::FixedTag<std::int32_t, WideNode::width> key;
+    alignas(32) static constexpr std::array<std::int32_t, 8> lanes{0, 1, 2, 3, 4, 5, 6, 7};
+    const WideNode& node = node_at(flight.next);
+    const Children children = meet(flight, node, count);
+    const auto keys =
+        hn::OrAnd(hn::Load(key, lanes.data()), hn::Set(key, ~7), hn::BitCast(key, children.entry));
+    const auto open =
+        hn::IfThenElse(hn::RebindMask(key, children.met), keys, hn::Set(key, 0x7fffffff));
+    hn::Store(children.entry, tag, flight.crossing.entries.data());
+    flight.crossing.node = &node;
+    flight.crossing.places = children.places;
+    flight.crossing.nearest = hn::GetLane(hn::MinOfLanes(key, open));
 }
 
-/// Which flights are at an interior node, and which at a leaf or the end of their way. A list is
-/// read and filled again at once: what is written never overtakes what is read.
-struct Departures {
-    std::array<std::uint8_t, Bvh8::most_flights> at_node, at_leaf;
-    std::size_t nodes = 0, leaves = 0;
+/// Goes on to the nearest child that is met, or else to what was left behind last; the other
+/// children are left behind in any order. What is popped here was pushed in an earlier round: a
+/// value that has just been stored as part of a vector would have to be waited for.
+inline void go_down(Flight& flight) {
+    using namespace simd;
+    const Flight::Crossing& crossing = flight.crossing;
+    const auto nearest = static_cast<std::size_t>(crossing.nearest & 7);
+    const std::uint32_t places = crossing.places, others = places & ~(1u << nearest);
+    const WideChild left_behind = flight.stack.top();
+    flight.stack.push(
+        static_cast<std::size_t>(std::popcount(places)),
+        compress(hn::Load(words<WideNode::width>, crossing.node->children.data()), others),
+        compress(hn::Load(floats<WideNode::width>, crossing.entries.data()), others));
+    flight.stack.drop();
+    flight.next = WideChild::from(static_cast<std::uint32_t>(
+        simd::select(places != 0, crossing.node->child(nearest).bits(), left_behind.bits())));
+}
 
-    void add(std::uint8_t flight, bool interior) {
-        at_node[nodes] = at_leaf[leaves] = flight;
-        nodes += interior;
-        leaves += !interior;
+/// Flights, a bit each, by what they come to next. Not lists: what is read from a list would have
+/// to wait until it is known that nothing writes there.
+struct Departures {
+    bool batched;  ///< leaves of triangles are tested for several flights at once
+    std::uint64_t to_node = 0, to_triangles = 0, to_leaf = 0, to_end = 0;
+
+    bool any() const { return (to_node | to_triangles | to_leaf | to_end) != 0; }
+    void add(std::size_t flight, WideChild next) {
+        const std::uint64_t leaf = !next.interior(), end = next.is_none();
+        const std::uint64_t triangles = leaf & next.leaf().only_triangles() & batched;
+        to_node |= (leaf ^ 1) << flight;
+        to_triangles |= triangles << flight;
+        to_leaf |= (leaf ^ triangles ^ end) << flight;
+        to_end |= end << flight;
     }
 };
+
+/// Calls visit(number) for each number in a set.
+inline void for_each(std::uint64_t set, auto&& visit) {
+    for (; set != 0; set &= set - 1) visit(static_cast<std::size_t>(std::countr_zero(set)));
+}
 
 template <Query Q, Counter C>
 inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch,
                                   C& count) const {
-    Departures flights;
+    Flight* const flights = scratch.flights.data();
+    Departures departures{leaves_.precision() == Precision::standard};
     std::size_t started = 0;
-    const auto start = [&](std::uint8_t number) {
+    const auto start = [&](std::size_t number) {
         if (started == part.rays.size()) return;
-        scratch.flights[number].start(part.rays[started], part.best(started), started, precision_);
+        flights[number].start(part.rays[started], part.best(started), started,
+                              leaves_.precision());
+        departures.add(number, flights[number].next);
         ++started;
-        flights.add(number, true);
     };
-    const auto go_on = [&](std::uint8_t number) {
-        const WideChild next = scratch.flights[number].next;
+    const auto go_on = [&](std::size_t number) {
+        const WideChild next = flights[number].next;
         fetch(next);
-        flights.add(number, next.interior());
+        departures.add(number, next);
     };
-    for (std::size_t i = 0; i < in_flight_; ++i) start(static_cast<std::uint8_t>(i));
-    while (flights.nodes + flights.leaves > 0) {
-        const std::size_t at_nodes = std::exchange(flights.nodes, 0);
-        for (std::size_t i = 0; i < at_nodes; ++i) {
-            const std::uint8_t number = flights.at_node[i];
-            Flight& flight = scratch.flights[number];
-            const WideNode& node = nodes_[flight.next.number()];
-            const Children children = meet(flight, node, count);
-            push_all<Q>(flight, node, children.entry, children.met, children.places);
-            flight.pop();
+    for (std::size_t i = 0; i < in_flight_; ++i) start(i);
+    while (departures.any()) {
+        const std::uint64_t at_node = std::exchange(departures.to_node, 0);
+        // Two short loops: the processor looks ahead over more rays in each than in one long loop.
+        for_each(at_node, [&](std::size_t number) { cross(flights[number], count); });
+        for_each(at_node, [&](std::size_t number) {
+            go_down(flights[number]);
             go_on(number);
-        }
-        const std::size_t at_leaves = std::exchange(flights.leaves, 0);
-        for (std::size_t i = 0; i < at_leaves; ++i) {
-            const std::uint8_t number = flights.at_leaf[i];
-            Flight& flight = scratch.flights[number];
-            if (flight.next.is_none()) {
-                answers.store(part.first + flight.number, flight.hit);
-                start(number);
-                continue;
-            }
+        });
+        visit_triangles<Q>(departures, flights, count);
+        for_each(std::exchange(departures.to_leaf, 0), [&](std::size_t number) {
+            Flight& flight = flights[number];
             visit_leaf<Q>(flight, count);
-            const bool over = Q == Query::occluded && flight.hit.primitive != no_primitive;
-            if (over) flight.next = WideChild::none();
-            else flight.pop();
+            flight.pop();
+            if (Q == Query::occluded && flight.hit.primitive != no_primitive)
+                flight.next = WideChild::none();
             go_on(number);
+        });
+        for_each(std::exchange(departures.to_end, 0), [&](std::size_t number) {
+            answers.store(part.first + flights[number].number, flights[number].hit);
+            start(number);
+        });
+    }
+}
+
+/// One block of each leaf, for as many flights at once as there are; fewer only where no other
+/// flight goes on.
+template <Query Q, Counter C>
+inline void Bvh8::visit_triangles(Departures& departures, Flight* flights, C& count) const {
+    while (static_cast<std::size_t>(std::popcount(departures.to_triangles)) >= rays_by_blocks ||
+           (departures.to_triangles != 0 && departures.to_node == 0)) {
+        RaysAndBlocks pairs;
+        std::array<std::size_t, rays_by_blocks> numbers;
+        std::size_t together = 0;
+        for (; together < rays_by_blocks && departures.to_triangles != 0; ++together) {
+            numbers[together] = static_cast<std::size_t>(std::countr_zero(departures.to_triangles));
+            departures.to_triangles &= departures.to_triangles - 1;
+            Flight& flight = flights[numbers[together]];
+            pairs[together] = {&flight.ray, &flight.hit, 
+                               &leaves_.triangles(flight.next.leaf().first_block())};
+        }
+        test(pairs, together, leaves_.padding(), count);
+        for (std::size_t i = 0; i < together; ++i) {
+            Flight& flight = flights[numbers[i]];
+            const PackedLeaf leaf = flight.next.leaf();
+            const bool last = leaf.block_count() == 1;
+            const bool over = Q == Query::occluded && flight.hit.primitive != no_primitive;
+            if constexpr (C::counts) count(Event::cell, last || over);
+            flight.pop();
+            if (!last) [[unlikely]] {
+                flight.stack.push(flight.next, -infinity);
+                flight.next = WideChild::leaf(leaf.after_first());
+            }
+            if constexpr (Q == Query::occluded)
+                flight.next = WideChild::from(static_cast<std::uint32_t>(
+                    simd::select(over, WideChild::none().bits(), flight.next.bits())));
+            fetch(flight.next);
+            departures.add(numbers[i], flight.next);
         }
     }
 }

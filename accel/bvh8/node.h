@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/core/box.h"
+#include "accel/simd/packed_leaves.h"
 
 /// Nodes of the 8-wide tree, and what their children are.
 namespace rayshoot::inline RAYSHOOT_ISA {
@@ -8,33 +9,23 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 /// An interior node's number, or a leaf, in one word.
 class WideChild {
 public:
-    static constexpr std::uint32_t most_blocks = 8;  ///< of triangles, in a leaf
+    static constexpr std::uint32_t most_nodes = 0x7fffffff;
 
     static WideChild node(std::uint32_t number) { return WideChild(number); }
-    /// Blocks `first` .. `first + count` of triangles.
-    static WideChild blocks(std::uint32_t first, std::uint32_t count) {
-        return WideChild(leaf_bit | first * most_blocks | (count - 1));
-    }
-    /// Whatever else, by its number among the mixed leaves.
-    static WideChild mixed(std::uint32_t number) {
-        return WideChild(leaf_bit | mixed_bit | number);
-    }
+    static WideChild leaf(PackedLeaf leaf) { return WideChild(leaf_bit | leaf.bits()); }
     /// Lies at the bottom of every stack, and is no child.
-    static WideChild none() { return WideChild(none_bits); }
+    static constexpr WideChild none() { return WideChild(0xffffffff); }
     static WideChild from(std::uint32_t bits) { return WideChild(bits); }
 
     std::uint32_t bits() const { return bits_; }
     bool interior() const { return (bits_ & leaf_bit) == 0; }
-    bool is_mixed() const { return (bits_ & mixed_bit) != 0; }
-    bool is_none() const { return bits_ == none_bits; }
-    std::uint32_t number() const { return bits_ & ~(leaf_bit | mixed_bit); }
-    std::uint32_t first_block() const { return number() / most_blocks; }
-    std::uint32_t block_count() const { return bits_ % most_blocks + 1; }
+    bool is_none() const { return bits_ == none().bits_; }
+    std::uint32_t number() const { return bits_ & ~leaf_bit; }
+    PackedLeaf leaf() const { return PackedLeaf::from(bits_ & ~leaf_bit); }
 
 private:
-    static constexpr std::uint32_t leaf_bit = 0x80000000, mixed_bit = 0x40000000,
-                                   none_bits = 0xffffffff;
-    explicit WideChild(std::uint32_t bits) : bits_(bits) {}
+    static constexpr std::uint32_t leaf_bit = 0x80000000;
+    constexpr explicit WideChild(std::uint32_t bits) : bits_(bits) {}
     std::uint32_t bits_;
 };
 

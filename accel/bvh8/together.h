@@ -15,9 +15,9 @@ inline bool Bvh8::trace_packet(Packet& packet, std::vector<Halt>& halts, C& coun
     constexpr int most_steps = 64;
     const auto nearest_last = [](const Halt& a, const Halt& b) { return a.entry > b.entry; };
     halts.clear();
-    std::uint32_t current = 0;
+    WideChild current = WideChild::node(0);
     for (int steps = 0; steps < most_steps; ++steps) {
-        const WideNode& node = nodes_[current];
+        const WideNode& node = node_at(current);
         count(Event::step);
         if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
         const auto [entry, exit] = packet.beam().clip(node.bounds);
@@ -26,7 +26,7 @@ inline bool Bvh8::trace_packet(Packet& packet, std::vector<Halt>& halts, C& coun
         const auto before = static_cast<std::ptrdiff_t>(halts.size());
         for (std::uint32_t rest = bits(tag, hn::Le(entry, exit)); rest != 0; rest &= rest - 1) {
             const auto place = static_cast<std::uint32_t>(std::countr_zero(rest));
-            halts.push_back({current, place, entries[place]});
+            halts.push_back({current.bits(), place, entries[place]});
         }
         std::sort(halts.begin() + before, halts.end(), nearest_last);
         while (true) {
@@ -34,10 +34,10 @@ inline bool Bvh8::trace_packet(Packet& packet, std::vector<Halt>& halts, C& coun
             const Halt next = halts.back();
             halts.pop_back();
             if (next.entry > packet.beam().nearest) continue;
-            const WideNode& parent = nodes_[next.node];
+            const WideNode& parent = node_at(WideChild::from(next.node));
             const WideChild child = parent.child(next.place);
             if (child.interior()) {
-                current = child.number();
+                current = child;
                 break;
             }
             visit_leaf<Q>(packet, parent, next.place, count);
@@ -50,7 +50,7 @@ template <Query Q, Counter C>
 inline void Bvh8::visit_leaf(Packet& packet, const WideNode& parent, std::size_t place,
                              C& count) const {
     using namespace simd;
-    const WideChild leaf = parent.child(place);
+    const PackedLeaf leaf = parent.child(place).leaf();
     for (std::size_t group = 0; group < packet.groups(); ++group) {
         const Packet::Mask active = packet.meets(group, parent.bounds, place);
         if constexpr (C::counts) {
@@ -59,7 +59,8 @@ inline void Bvh8::visit_leaf(Packet& packet, const WideNode& parent, std::size_t
         }
         if (hn::AllFalse(floats<Packet::group>, active)) continue;
         for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-            packet.test<Q>(group, active, blocks_[leaf.first_block() + i], padding_, count);
+            packet.test<Q>(group, active, leaves_.triangles(leaf.first_block() + i),
+                           leaves_.padding(), count);
     }
     packet.shorten();
 }

@@ -84,8 +84,10 @@ struct SlabRay {
           inverse(1.0f / d.x, 1.0f / d.y, 1.0f / d.z),
           descending{std::signbit(d.x), std::signbit(d.y), std::signbit(d.z)} {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            near[axis] = axis + (descending[axis] ? 3 : 0);
-            far[axis] = axis + (descending[axis] ? 0 : 3);
+            // Sums, not choices: signs cannot be foretold.
+            const std::size_t high = std::size_t{3} * descending[axis];
+            near[axis] = axis + high;
+            far[axis] = axis + 3 - high;
         }
     }
 

@@ -51,6 +51,28 @@ inline V clamp(V t, V lo, V hi) {
     return hn::IfThenElse(hn::Lt(t, lo), lo, hn::IfThenElse(hn::Gt(t, hi), hi, t));
 }
 
+/// std::signbit
+template <class V>
+inline auto negative(V v) {
+    constexpr hn::DFromV<V> tag;
+    const hn::RebindToSigned<hn::DFromV<V>> number;
+    return hn::RebindMask(tag, hn::Lt(hn::BitCast(number, v), hn::Zero(number)));
+}
+
+/// if_set ? a : b, and no branch, whatever the compiler thinks of it.
+inline std::uint64_t select(bool if_set, std::uint64_t a, std::uint64_t b) {
+    const std::uint64_t all = 0 - static_cast<std::uint64_t>(if_set);
+    return (a & all) | (b & ~all);
+}
+
+/// Whether the sign bit is set.
+template <class V>
+inline auto is_negative(V v) {
+    constexpr hn::DFromV<V> tag;
+    constexpr hn::RebindToSigned<hn::DFromV<V>> word;
+    return hn::RebindMask(tag, hn::Lt(hn::BitCast(word, v), hn::Zero(word)));
+}
+
 /// float_below of neighbour.h.
 template <class V>
 inline V below(V x) {
@@ -111,6 +133,26 @@ struct Vectors {
         return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
     }
 };
+
+/// Doubles take twice the room: a vector of floats becomes one vector of doubles or, where a
+/// register does not hold as many, two halves.
+template <class V>
+inline constexpr std::size_t double_parts =
+    hn::MaxLanes(hn::DFromV<V>()) * sizeof(double) > HWY_MAX_BYTES ? 2 : 1;
+
+/// Part 0 has the first lanes.
+template <std::size_t Part, class V>
+inline auto as_doubles(V v) {
+    using D = hn::DFromV<V>;
+    if constexpr (double_parts<V> == 1) {
+        return hn::PromoteTo(hn::Rebind<double, D>(), v);
+    } else {
+        const hn::Half<D> half;
+        const hn::Rebind<double, hn::Half<D>> doubles;
+        if constexpr (Part == 0) return hn::PromoteTo(doubles, hn::LowerHalf(half, v));
+        else return hn::PromoteTo(doubles, hn::UpperHalf(half, v));
+    }
+}
 
 /// The same point or direction in every lane.
 template <std::size_t Width>

@@ -35,15 +35,20 @@ inline void intersect_sphere(const vec<F>& from_centre, F radius, const vec<F>& 
     accept(static_cast<float>(q / a), 0.0f, 0.0f);
 }
 
+/// Float is taken where squares of squares stay in range, and where the distance is known well
+/// against the radius: between these lengths, and at most so many radii away.
+inline constexpr float shortest_float_length = 0x1p-25f, longest_float_length = 0x1p25f;
+inline constexpr float most_float_radii = 0x1p20f;
+
 /// Calls accept(t, 0, 0) for both roots of the ray's line; t is NaN where a root does not exist.
 template <class Accept>
 inline void intersect(const Sphere& sphere, const TestRay& ray, Accept&& accept) {
     const vec3 from_centre = ray.origin - sphere.centre;
-    // Squares of squares stay in range, and the distance is known well against the radius.
     const float distance = taxicab(from_centre);
-    const bool in_range = distance < 0x1p20f * sphere.radius && sphere.radius > 0x1p-25f &&
-                          distance < 0x1p25f && ray.direction_size > 0x1p-25f &&
-                          ray.direction_size < 0x1p25f;
+    const bool in_range =
+        distance < most_float_radii * sphere.radius && sphere.radius > shortest_float_length &&
+        distance < longest_float_length && ray.direction_size > shortest_float_length &&
+        ray.direction_size < longest_float_length;
     if (in_range) [[likely]]
         return intersect_sphere<float>(from_centre, sphere.radius, ray.direction, accept);
     intersect_sphere<double>(dvec3(ray.origin) - dvec3(sphere.centre), sphere.radius,

@@ -1,0 +1,137 @@
+#pragma once
+
+#include "accel/core/primitive/padding.h"
+#include "accel/core/primitive/test_ray.h"
+#include "accel/simd/lanes.h"
+
+/// Stored bounds and the one slab form, in every lane: core/primitive/padding.h and core/box.h.
+namespace rayshoot::inline RAYSHOOT_ISA {
+
+/// A box a lane, plane by plane: lo.x, lo.y, lo.z, hi.x, hi.y, hi.z.
+template <class V>
+using WidePlanes = std::array<V, 6>;
+
+/// bounds(Triangle)
+template <class V>
+inline WidePlanes<V> triangle_bounds(const simd::Vectors<V>& a, const simd::Vectors<V>& b,
+                                     const simd::Vectors<V>& c) {
+    const auto lo = [](V x, V y, V z) { return simd::smaller(z, simd::smaller(y, x)); };
+    const auto hi = [](V x, V y, V z) { return simd::larger(z, simd::larger(y, x)); };
+    return {lo(a.x, b.x, c.x), lo(a.y, b.y, c.y), lo(a.z, b.z, c.z),
+            hi(a.x, b.x, c.x), hi(a.y, b.y, c.y), hi(a.z, b.z, c.z)};
+}
+
+/// bounds(Sphere)
+template <class V>
+inline WidePlanes<V> sphere_bounds(const simd::Vectors<V>& centre, V radius) {
+    using namespace simd;
+    return {hn::Sub(centre.x, radius), hn::Sub(centre.y, radius), hn::Sub(centre.z, radius),
+            hn::Add(centre.x, radius), hn::Add(centre.y, radius), hn::Add(centre.z, radius)};
+}
+
+/// padded(Box, padding)
+template <class V>
+inline WidePlanes<V> padded(WidePlanes<V> planes, float padding) {
+    using namespace simd;
+    constexpr hn::DFromV<V> tag;
+    V largest = hn::Abs(planes[0]);
+    for (std::size_t i = 1; i < 6; ++i) largest = hn::Max(largest, hn::Abs(planes[i]));
+    const V radius = hn::MulAdd(hn::Set(tag, own_padding), largest, hn::Set(tag, padding));
+    for (std::size_t i = 0; i < 3; ++i) {
+        planes[i] = below(hn::Sub(planes[i], radius));
+        planes[i + 3] = hn::Neg(below(hn::Neg(hn::Add(planes[i + 3], radius))));
+    }
+    return planes;
+}
+
+/// Rays whose directions agree in their signs, or one ray in every lane.
+template <class V>
+struct WideSlabRay {
+    simd::Vectors<V> origin, inverse;
+    const std::array<std::size_t, 3>&near, &far;  ///< as in SlabRay
+};
+template <std::size_t Width>
+inline WideSlabRay<simd::Floats<Width>> everywhere(const SlabRay& ray) {
+    return {simd::everywhere<Width>(ray.origin), simd::everywhere<Width>(ray.inverse), ray.near,
+            ray.far};
+}
+
+template <class V>
+struct WideInterval {
+    V entry, exit;
+
+    auto met() const { return simd::hn::Le(entry, exit); }
+    V clamp(V t) const { return simd::clamp(t, entry, exit); }
+};
+
+/// clip(SlabRay, Box)
+template <class V>
+inline WideInterval<V> clip(const WideSlabRay<V>& ray, const WidePlanes<V>& planes) {
+    using namespace simd;
+    constexpr hn::DFromV<V> tag;
+    WideInterval<V> within{hn::Set(tag, -infinity), hn::Set(tag, infinity)};
+    const auto narrow = [&](std::size_t axis, V origin, V inverse) {
+        const V near = hn::Mul(hn::Sub(planes[ray.near[axis]], origin), inverse);
+        const V far = hn::Mul(hn::Sub(planes[ray.far[axis]], origin), inverse);
+        within = {larger(near, within.entry), smaller(far, within.exit)};
+    };
+    narrow(0, ray.origin.x, ray.inverse.x);
+    narrow(1, ray.origin.y, ray.inverse.y);
+    narrow(2, ray.origin.z, ray.inverse.z);
+    return within;
+}
+
+/// clip() where the rays' directions may have any signs.
+template <class V>
+inline WideInterval<V> clip(const simd::Vectors<V>& origin, const simd::Vectors<V>& inverse,
+                            const WidePlanes<V>& planes) {
+    using namespace simd;
+    constexpr hn::DFromV<V> tag;
+    WideInterval<V> within{hn::Set(tag, -infinity), hn::Set(tag, infinity)};
+    const auto narrow = [&](V lo, V hi, V from, V scale) {
+        const auto descending = is_negative(scale);
+        const V near = hn::IfThenElse(descending, hi, lo), far = hn::IfThenElse(descending, lo, hi);
+        within = {larger(hn::Mul(hn::Sub(near, from), scale), within.entry),
+                  smaller(hn::Mul(hn::Sub(far, from), scale), within.exit)};
+    };
+    narrow(planes[0], planes[3], origin.x, inverse.x);
+    narrow(planes[1], planes[4], origin.y, inverse.y);
+    narrow(planes[2], planes[5], origin.z, inverse.z);
+    return within;
+}
+
+template <class V>
+struct WideHit {
+    V t;
+    decltype(simd::hn::Lt(V{}, V{})) met;
+};
+
+/// Rule 2 of core/README.md: t clamped to the padded bounds, and not met where these are missed or
+/// t is NaN. Nearly always t lies in bounds that are padded by less: by the share of one corner's
+/// largest coordinate instead of all corners'. These nest in the padded ones, hence so do the
+/// intervals, exactly, and there is nothing to clamp.
+template <class V>
+inline WideHit<V> clamped(WideHit<V> hit, const simd::Vectors<V>& corner,
+                          const WidePlanes<V>& bounds, const simd::Vectors<V>& origin,
+                          const simd::Vectors<V>& inverse, float padding) {
+    using namespace simd;
+    constexpr hn::DFromV<V> tag;
+    const V largest = hn::Max(hn::Max(hn::Abs(corner.x), hn::Abs(corner.y)), hn::Abs(corner.z));
+    const V radius = hn::MulAdd(hn::Set(tag, own_padding), largest, hn::Set(tag, padding));
+    V entry = hn::Set(tag, -infinity), exit = hn::Set(tag, infinity);
+    const auto narrow = [&](V lo, V hi, V from, V scale) {
+        const V at_lo = hn::Mul(hn::Sub(hn::Sub(lo, radius), from), scale);
+        const V at_hi = hn::Mul(hn::Sub(hn::Add(hi, radius), from), scale);
+        entry = hn::Max(hn::Min(at_lo, at_hi), entry);
+        exit = hn::Min(hn::Max(at_lo, at_hi), exit);
+    };
+    narrow(bounds[0], bounds[3], origin.x, inverse.x);
+    narrow(bounds[1], bounds[4], origin.y, inverse.y);
+    narrow(bounds[2], bounds[5], origin.z, inverse.z);
+    const auto as_it_is = hn::And(hn::Le(entry, hit.t), hn::Le(hit.t, exit));
+    if (hn::AllFalse(tag, hn::AndNot(as_it_is, hit.met))) [[likely]] return hit;
+    const WideInterval<V> within = clip(origin, inverse, padded(bounds, padding));
+    return {within.clamp(hit.t), hn::And(hn::And(hit.met, within.met()), hn::Eq(hit.t, hit.t))};
+}
+
+}  // namespace rayshoot::inline RAYSHOOT_ISA
