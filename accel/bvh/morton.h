@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/bvh/raw_array.h"
+#include "accel/core/raw_array.h"
 #include "accel/core/box.h"
 
 #include <cstdint>

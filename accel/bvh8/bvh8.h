@@ -3,6 +3,7 @@
 #include "accel/bvh/builders.h"
 #include "accel/bvh8/flight.h"
 #include "accel/bvh8/packet.h"
+#include "accel/core/raw_array.h"
 #include "accel/core/session.h"
 
 /// Bounding-volume hierarchy with eight children a node, tested at once. Coherent rays go together
@@ -85,7 +86,7 @@ private:
     void fetch(WideChild child) const;
     const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
 
-    PagedVector<WideNode> nodes_;
+    RawArray<WideNode> nodes_;
     PackedLeaves leaves_;
     std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;

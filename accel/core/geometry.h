@@ -61,7 +61,10 @@ public:
     Normals normal(const Ray& ray, const Hit& hit) const;
 
     /// The primitive's data, at rest.
-    Triangle triangle(std::uint32_t index) const;
+    Triangle triangle(std::uint32_t index) const {
+        const auto& [a, b, c] = triangles_[index];
+        return {vertices_[a], vertices_[b], vertices_[c]};
+    }
     const Sphere& sphere(std::uint32_t index) const { return spheres_[index]; }
     const Frustum& frustum(std::uint32_t index) const { return frusta_[index]; }
     const Polygon& polygon(std::uint32_t index) const { return polygons_[index]; }

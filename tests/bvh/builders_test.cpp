@@ -128,7 +128,7 @@ TEST(TreeBuilders, keep_within_the_depth_and_the_size_of_leaves) {
 }
 
 TEST(TreeBuilders, build_the_same_tree_with_any_number_of_threads) {
-    const std::vector<Box> boxes = random_boxes(100000, 0.02f, 5);
+    const std::vector<Box> boxes = random_boxes(40000, 0.02f, 5);
     for (const TreeBuild build : all_builds) {
         SCOPED_TRACE(name_of(build));
         BinaryTree first;
