@@ -1,7 +1,7 @@
 #pragma once
 
 #include "accel/bvh/builders.h"
-#include "accel/bvh8/flight.h"
+#include "accel/bvh8/halts.h"
 #include "accel/bvh8/packet.h"
 #include "accel/core/raw_array.h"
 #include "accel/core/session.h"
@@ -32,19 +32,12 @@ public:
                                                                     "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
 
-    /// A child that a packet is still to visit, and where its beam enters it.
-    struct Halt {
-        std::uint32_t node, place;
-        float entry;
-    };
     struct Scratch {
         std::vector<Flight> flights = std::vector<Flight>(most_flights);
         Packet packet;
-        std::vector<Halt> halts;
+        Halts halts;
 
-        std::size_t bytes() const {
-            return flights.size() * sizeof(Flight) + halts.capacity() * sizeof(Halt);
-        }
+        std::size_t bytes() const { return flights.size() * sizeof(Flight); }
     };
 
     Bvh8(const BuildInput& input, const Options& chosen);
@@ -54,15 +47,18 @@ public:
     Footprint footprint() const { return footprint_; }
 
 private:
-    /// Rays of a batch that are traced each for itself.
+    /// Some rays of a batch.
     struct Part {
         std::span<const Ray> rays;
-        std::size_t first = 0;          ///< place of the first one in the batch
-        const Packet* begun = nullptr;  ///< holds their nearest hits so far, if any
+        std::size_t first = 0;  ///< place of the first one in the batch
+        /// Where a packet has brought them so far, if one has.
+        const Packet* packet = nullptr;
+        std::size_t first_of_packet = 0;
+        const Halts* left = nullptr;
 
-        Hit best(std::size_t i) const { return begun ? begun->hit(i) : nothing_yet(rays[i]); }
     };
 
+    void start(Flight& flight, const Part& part, std::size_t i) const;
     template <Query Q, Counter C>
     void trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
@@ -70,7 +66,12 @@ private:
     template <Query Q, Counter C>
     void trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
-    bool trace_packet(Packet& packet, std::vector<Halt>& halts, C& count) const;
+    void trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    bool follow(Packet& packet, Packet::Section section, int most_steps, Halts& halts,
+                C& count) const;
+    template <Counter C>
+    void step(const Beam& beam, std::uint32_t number, Halts& halts, C& count) const;
 
     struct Children;
     template <Counter C>
@@ -82,7 +83,7 @@ private:
     template <Query Q, Counter C>
     void visit_triangles(Departures& departures, Flight* flights, C& count) const;
     template <Query Q, Counter C>
-    void visit_leaf(Packet& packet, const WideNode& parent, std::size_t place, C& count) const;
+    void visit_leaf(Packet& packet, Packet::Section section, const Halt& halt, C& count) const;
     void fetch(WideChild child) const;
     const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
 
@@ -90,6 +91,7 @@ private:
     PackedLeaves leaves_;
     std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
+    int wide_steps_ = 12, narrow_steps_ = 40;
     std::size_t in_flight_ = 1;
     Footprint footprint_;
 };
@@ -105,14 +107,22 @@ inline void Bvh8::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scra
         const std::size_t together = std::min(Packet::most, whole_groups);
         if (!packet.load(rays.subspan(i, together))) continue;
         trace_each<Q>({rays.subspan(waiting, i - waiting), waiting}, answers, scratch, count);
-        if (trace_packet<Q>(packet, scratch.halts, count)) {
-            for (std::size_t j = 0; j < together; ++j) answers.store(i + j, packet.hit(j));
-        } else {
-            trace_each<Q>({rays.subspan(i, together), i, &packet}, answers, scratch, count);
-        }
+        trace_together<Q>({rays.subspan(i, together), i}, answers, scratch, count);
         waiting = i + together;
     }
     trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
+}
+
+inline void Bvh8::start(Flight& flight, const Part& part, std::size_t i) const {
+    const Ray& ray = part.rays[i];
+    flight.start(ray, part.packet ? part.packet->hit(part.first_of_packet + i) : nothing_yet(ray),
+                 i, leaves_.precision());
+    if (part.left == nullptr) return;
+    for (std::size_t j = 0; j < part.left->size(); ++j) {
+        const auto [node, place, entry] = (*part.left)[j];
+        flight.stack.push(nodes_[node].child(place), entry);
+    }
+    flight.pop();
 }
 
 template <Query Q, Counter C>
@@ -121,15 +131,16 @@ inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scr
     if (in_flight_ > 1) return trace_in_flight<Q>(part, answers, scratch, count);
     Flight& flight = scratch.flights.front();
     for (std::size_t i = 0; i < part.rays.size(); ++i) {
-        flight.start(part.rays[i], part.best(i), i, leaves_.precision());
+        start(flight, part, i);
         trace_alone<Q>(flight, count);
         answers.store(part.first + i, flight.hit);
     }
 }
 
 /// Asks for the memory of a child before its turn comes. Which kind it is cannot be foretold, so
-/// the place of either is computed.
-inline void Bvh8::fetch(WideChild child) const {
+/// the place of either is computed. Inlined in any case: g++ 12 takes a function that does nothing
+/// but this for one without an effect, and drops its calls.
+[[gnu::always_inline]] inline void Bvh8::fetch(WideChild child) const {
     const std::size_t node = std::size_t{child.number()} * sizeof(WideNode);
     const std::size_t block = PackedLeaves::offset(child.leaf());
     const std::byte* const first =
@@ -141,7 +152,7 @@ inline void Bvh8::fetch(WideChild child) const {
 struct Bvh8::Children {
     using V = simd::Floats<WideNode::width>;
     V entry;
-    decltype(simd::hn::Le(V{}, V{})) met;
+    Places met;
     std::uint32_t places;  ///< the same, a bit each
 };
 

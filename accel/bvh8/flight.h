@@ -7,6 +7,19 @@
 /// A ray on its way through the tree.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
+/// Some of the eight children of a node.
+using Places = decltype(simd::hn::Le(simd::Floats<8>{}, simd::Floats<8>{}));
+
+/// The place of the least of eight values, by its bits with the place instead of the last three;
+/// 7 where there is none. Negative values are not told apart rightly: it is for an order alone.
+inline std::uint32_t nearest_of(Places met, simd::Floats<8> entries) {
+    using namespace simd;
+    constexpr hn::FixedTag<std::int32_t, 8> key;
+    const auto keys = hn::OrAnd(hn::Iota(key, 0), hn::Set(key, ~7), hn::BitCast(key, entries));
+    const auto open = hn::IfThenElse(hn::RebindMask(key, met), keys, hn::Set(key, 0x7fffffff));
+    return static_cast<std::uint32_t>(hn::GetLane(hn::MinOfLanes(key, open))) & 7;
+}
+
 /// Children that are still to be visited, and where the ray enters them.
 class Stack {
 public:
@@ -69,7 +82,7 @@ struct alignas(64) Flight {
         alignas(32) std::array<float, WideNode::width> entries;  ///< into each child
         const WideNode* node;
         std::uint32_t places;  ///< of the children that are met, a bit each
-        std::int32_t nearest;  ///< of the last three bits, if one is met
+        std::uint32_t nearest;  ///< place of the one that is met first, if any
     } crossing;
     vec3 origin;
     vec3 towards;                           ///< - 1 / direction

@@ -7,24 +7,17 @@
 /// before. No branch depends on a ray, so that the steps of several rays overlap.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// Which children the ray meets, and which of them first: by its entry's bits, with the place
-/// instead of the last three.
+/// Which children the ray meets, and which of them first.
 template <Counter C>
 inline void Bvh8::cross(Flight& flight, C& count) const {
     using namespace simd;
     constexpr auto tag = floats<WideNode::width>;
-    constexpr hn::FixedTag<std::int32_t, WideNode::width> key;
-    alignas(32) static constexpr std::array<std::int32_t, 8> lanes{0, 1, 2, 3, 4, 5, 6, 7};
     const WideNode& node = node_at(flight.next);
     const Children children = meet(flight, node, count);
-    const auto keys =
-        hn::OrAnd(hn::Load(key, lanes.data()), hn::Set(key, ~7), hn::BitCast(key, children.entry));
-    const auto open =
-        hn::IfThenElse(hn::RebindMask(key, children.met), keys, hn::Set(key, 0x7fffffff));
     hn::Store(children.entry, tag, flight.crossing.entries.data());
     flight.crossing.node = &node;
     flight.crossing.places = children.places;
-    flight.crossing.nearest = hn::GetLane(hn::MinOfLanes(key, open));
+    flight.crossing.nearest = nearest_of(children.met, children.entry);
 }
 
 /// Goes on to the nearest child that is met, or else to what was left behind last; the other
@@ -33,7 +26,7 @@ inline void Bvh8::cross(Flight& flight, C& count) const {
 inline void go_down(Flight& flight) {
     using namespace simd;
     const Flight::Crossing& crossing = flight.crossing;
-    const auto nearest = static_cast<std::size_t>(crossing.nearest & 7);
+    const std::uint32_t nearest = crossing.nearest;
     const std::uint32_t places = crossing.places, others = places & ~(1u << nearest);
     const WideChild left_behind = flight.stack.top();
     flight.stack.push(
@@ -73,10 +66,9 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
     Flight* const flights = scratch.flights.data();
     Departures departures{leaves_.precision() == Precision::standard};
     std::size_t started = 0;
-    const auto start = [&](std::size_t number) {
+    const auto start_next = [&](std::size_t number) {
         if (started == part.rays.size()) return;
-        flights[number].start(part.rays[started], part.best(started), started,
-                              leaves_.precision());
+        start(flights[number], part, started);
         departures.add(number, flights[number].next);
         ++started;
     };
@@ -85,7 +77,7 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
         fetch(next);
         departures.add(number, next);
     };
-    for (std::size_t i = 0; i < in_flight_; ++i) start(i);
+    for (std::size_t i = 0; i < in_flight_; ++i) start_next(i);
     while (departures.any()) {
         const std::uint64_t at_node = std::exchange(departures.to_node, 0);
         // Two short loops: the processor looks ahead over more rays in each than in one long loop.
@@ -105,7 +97,7 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
         });
         for_each(std::exchange(departures.to_end, 0), [&](std::size_t number) {
             answers.store(part.first + flights[number].number, flights[number].hit);
-            start(number);
+            start_next(number);
         });
     }
 }

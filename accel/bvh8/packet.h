@@ -59,29 +59,34 @@ public:
     using V = simd::Floats<group>;
     using Mask = decltype(simd::hn::Lt(V{}, V{}));
 
+    /// Some of the groups, one after the other.
+    struct Section {
+        std::size_t first, count;
+        std::size_t end() const { return first + count; }
+        std::size_t first_ray() const { return first * group; }
+        std::size_t end_ray() const { return end() * group; }
+    };
+
     /// Whole groups, 64 rays at most. False, and no packet, where they do not go nearly the same
     /// way.
     bool load(std::span<const Ray> rays);
 
     std::size_t size() const { return size_; }
-    std::size_t groups() const { return size_ / group; }
-    const Beam& beam() const { return beam_; }
+    Section all() const { return {0, size_ / group}; }
     Hit hit(std::size_t ray) const { return {t_[ray], primitive_[ray], u_[ray], v_[ray]}; }
 
+    Beam beam(Section section) const;
+    /// The farthest of a section's nearest hits so far.
+    float reach(Section section) const;
     /// The rays of a group that meet one of several boxes before their nearest hit.
     template <std::size_t Width>
     Mask meets(std::size_t group, const Boxes<Width>& boxes, std::size_t box) const;
     /// Tests the rays of a group against every triangle of a block.
     template <Query Q, Counter C>
     void test(std::size_t group, Mask active, const TriangleBlock& block, float padding, C& count);
-    /// After tests: how far the beam still reaches.
-    void shorten();
 
 private:
     using Rows = std::array<float, most>;
-    struct Places;
-    /// The least and the largest coordinates.
-    std::pair<vec3, vec3> ends(const Places& places) const;
     struct alignas(64) Places {
         Rows x, y, z;
         simd::Vectors<V> from(std::size_t first) const {
@@ -90,29 +95,26 @@ private:
             return {hn::Load(tag, &x[first]), hn::Load(tag, &y[first]), hn::Load(tag, &z[first])};
         }
     };
+    /// The least and the largest coordinates.
+    static std::pair<vec3, vec3> ends(const Places& places, Section section);
     static V row(const Rows& rows, std::size_t first) {
         return simd::hn::Load(simd::floats<group>, &rows[first]);
     }
     static void put(V value, Rows& rows, std::size_t first) {
         simd::hn::Store(value, simd::floats<group>, &rows[first]);
     }
-    struct Slab {
-        V entry, exit;
-    };
-    template <std::size_t Width>
-    Slab clip(std::size_t first, const Boxes<Width>& boxes, std::size_t box, Slab within) const;
     template <Counter C>
     void offer(std::size_t first, Mask inside, const WideSums<V>& sums, std::uint32_t primitive,
-               const Box& bounds, C& count);
+               const Triangle& triangle, float padding, C& count);
     template <Counter C>
     void test_alone(std::size_t ray, const Triangle& triangle, std::uint32_t primitive,
-                    const Box& bounds, C& count);
+                    float padding, C& count);
 
     Places origin_, direction_, inverse_;
     alignas(64) Rows direction_size_, t_min_, t_, u_, v_;
     alignas(64) std::array<std::uint32_t, most> primitive_;
     std::size_t size_ = 0;
-    Beam beam_;
+    std::array<std::size_t, 3> near_, far_;  ///< the same for all rays
 };
 
 inline bool Packet::load(std::span<const Ray> rays) {
@@ -130,22 +132,17 @@ inline bool Packet::load(std::span<const Ray> rays) {
         transpose_8x8(reinterpret_cast<const std::byte*>(&rays[i]), sizeof(Ray),
                       {&origin_.x[i], &origin_.y[i], &origin_.z[i], &t_min_[i], &direction_.x[i],
                        &direction_.y[i], &direction_.z[i], &t_[i]});
-    const auto [lo, hi] = ends(direction_);
-    std::tie(beam_.origin_lo, beam_.origin_hi) = ends(origin_);
+    const auto [lo, hi] = ends(direction_, all());
     const float longest = std::max({std::abs(lo.x), std::abs(lo.y), std::abs(lo.z), std::abs(hi.x),
                                     std::abs(hi.y), std::abs(hi.z)});
     for (int axis = 0; axis < 3; ++axis) {
         // Zeros would need care with their signs, and nearly the same way is enough.
         const bool one_sign = lo[axis] > 0 || hi[axis] < 0;
         if (!one_sign || !(hi[axis] - lo[axis] < most_spread * longest)) return false;
-        // Division is monotone too: the ends of the directions give the ends of the inverses.
-        beam_.inverse_lo[axis] = 1.0f / hi[axis];
-        beam_.inverse_hi[axis] = 1.0f / lo[axis];
     }
     const SlabRay first(rays.front().origin, rays.front().direction);
-    beam_.near = first.near;
-    beam_.far = first.far;
-    V earliest = row(t_min_, 0);
+    near_ = first.near;
+    far_ = first.far;
     for (std::size_t i = 0; i < size_; i += group) {
         const auto direction = direction_.from(i);
         const V one = hn::Set(tag, 1.0f);
@@ -157,19 +154,16 @@ inline bool Packet::load(std::span<const Ray> rays) {
         put(hn::Zero(tag), u_, i);
         put(hn::Zero(tag), v_, i);
         hn::Store(hn::Set(words<group>, no_primitive), words<group>, &primitive_[i]);
-        earliest = hn::Min(earliest, row(t_min_, i));
     }
-    beam_.t_min = hn::GetLane(hn::MinOfLanes(tag, earliest));
-    shorten();
     return true;
 }
 
-inline std::pair<vec3, vec3> Packet::ends(const Places& places) const {
+inline std::pair<vec3, vec3> Packet::ends(const Places& places, Section section) {
     using namespace simd;
     constexpr auto tag = floats<group>;
-    auto lo = places.from(0), hi = lo;
-    for (std::size_t i = group; i < size_; i += group) {
-        const auto next = places.from(i);
+    auto lo = places.from(section.first * group), hi = lo;
+    for (std::size_t i = section.first + 1; i < section.end(); ++i) {
+        const auto next = places.from(i * group);
         lo = {hn::Min(lo.x, next.x), hn::Min(lo.y, next.y), hn::Min(lo.z, next.z)};
         hi = {hn::Max(hi.x, next.x), hn::Max(hi.y, next.y), hn::Max(hi.z, next.z)};
     }
@@ -178,37 +172,45 @@ inline std::pair<vec3, vec3> Packet::ends(const Places& places) const {
     return {{least(lo.x), least(lo.y), least(lo.z)}, {most_of(hi.x), most_of(hi.y), most_of(hi.z)}};
 }
 
-inline void Packet::shorten() {
-    V farthest = row(t_, 0);
-    for (std::size_t i = group; i < size_; i += group)
-        farthest = simd::hn::Max(farthest, row(t_, i));
-    beam_.nearest = simd::hn::GetLane(simd::hn::MaxOfLanes(simd::floats<group>, farthest));
+inline Beam Packet::beam(Section section) const {
+    using namespace simd;
+    Beam beam;
+    std::tie(beam.origin_lo, beam.origin_hi) = ends(origin_, section);
+    std::tie(beam.inverse_lo, beam.inverse_hi) = ends(inverse_, section);
+    beam.near = near_;
+    beam.far = far_;
+    V earliest = row(t_min_, section.first * group);
+    for (std::size_t i = section.first + 1; i < section.end(); ++i)
+        earliest = hn::Min(earliest, row(t_min_, i * group));
+    beam.t_min = hn::GetLane(hn::MinOfLanes(floats<group>, earliest));
+    beam.nearest = reach(section);
+    return beam;
 }
 
-/// clip() of box.h in every lane.
-template <std::size_t Width>
-inline Packet::Slab Packet::clip(std::size_t first, const Boxes<Width>& boxes, std::size_t box,
-                                 Slab within) const {
-    using namespace simd;
-    const auto origin = origin_.from(first), inverse = inverse_.from(first);
-    const auto at = [&](std::size_t plane, V from, V scale) {
-        return hn::Mul(hn::Sub(hn::Set(floats<group>, boxes.planes[plane][box]), from), scale);
-    };
-    auto [entry, exit] = within;
-    entry = larger(at(beam_.near[0], origin.x, inverse.x), entry);
-    exit = smaller(at(beam_.far[0], origin.x, inverse.x), exit);
-    entry = larger(at(beam_.near[1], origin.y, inverse.y), entry);
-    exit = smaller(at(beam_.far[1], origin.y, inverse.y), exit);
-    entry = larger(at(beam_.near[2], origin.z, inverse.z), entry);
-    exit = smaller(at(beam_.far[2], origin.z, inverse.z), exit);
-    return {entry, exit};
+inline float Packet::reach(Section section) const {
+    V farthest = row(t_, section.first * group);
+    for (std::size_t i = section.first + 1; i < section.end(); ++i)
+        farthest = simd::hn::Max(farthest, row(t_, i * group));
+    return simd::hn::GetLane(simd::hn::MaxOfLanes(simd::floats<group>, farthest));
 }
 
 template <std::size_t Width>
 inline Packet::Mask Packet::meets(std::size_t g, const Boxes<Width>& boxes, std::size_t box) const {
+    using namespace simd;
     const std::size_t first = g * group;
-    const auto [entry, exit] = clip(first, boxes, box, {row(t_min_, first), row(t_, first)});
-    return simd::hn::Le(entry, exit);
+    const auto origin = origin_.from(first), inverse = inverse_.from(first);
+    V entry = row(t_min_, first), exit = row(t_, first);
+    const auto narrow = [&](std::size_t axis, V from, V scale) {
+        const auto plane = [&](std::size_t i) {
+            return hn::Set(floats<group>, boxes.planes[i][box]);
+        };
+        entry = larger(hn::Mul(hn::Sub(plane(near_[axis]), from), scale), entry);
+        exit = smaller(hn::Mul(hn::Sub(plane(far_[axis]), from), scale), exit);
+    };
+    narrow(0, origin.x, inverse.x);
+    narrow(1, origin.y, inverse.y);
+    narrow(2, origin.z, inverse.z);
+    return hn::Le(entry, exit);
 }
 
 template <Query Q, Counter C>
@@ -231,11 +233,10 @@ inline void Packet::test(std::size_t g, Mask active, const TriangleBlock& block,
         const auto inside = hn::And(active, hn::And(trusted, sums.inside()));
         const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, active));
         if (hn::AllFalse(tag, inside) && untrusted == 0) continue;
-        const Box bounds_of = padded(bounds(triangle), padding);
-        offer(first, inside, sums, primitive, bounds_of, count);
+        offer(first, inside, sums, primitive, triangle, padding, count);
         for (std::uint32_t rest = untrusted; rest != 0; rest &= rest - 1)
             test_alone(first + static_cast<std::size_t>(std::countr_zero(rest)), triangle,
-                       primitive, bounds_of, count);
+                       primitive, padding, count);
         if constexpr (Q == Query::occluded) {  // one hit is enough: met by nothing from now on
             const auto lit = hn::Eq(hn::Load(words<group>, &primitive_[first]),
                                     hn::Set(words<group>, no_primitive));
@@ -248,18 +249,18 @@ inline void Packet::test(std::size_t g, Mask active, const TriangleBlock& block,
 /// rayshoot::offer of leaves.h in every lane.
 template <Counter C>
 inline void Packet::offer(std::size_t first, Mask inside, const WideSums<V>& sums,
-                          std::uint32_t primitive, const Box& bounds, C& count) {
+                          std::uint32_t primitive, const Triangle& triangle, float padding,
+                          C& count) {
     using namespace simd;
     constexpr auto tag = floats<group>;
     constexpr auto word = words<group>;
-    Boxes<1> box;
-    box.set(0, bounds);
-    const auto [entry, exit] =
-        clip(first, box, 0, {hn::Set(tag, -infinity), hn::Set(tag, infinity)});
-    V t = hn::Div(sums.t, sums.det);
-    const auto met = hn::And(inside, hn::And(hn::Le(entry, exit), hn::Eq(t, t)));
+    const Box box = bounds(triangle);
+    const auto lo = everywhere<group>(box.lo), hi = everywhere<group>(box.hi);
+    const auto [t, met] = clamped<V>({hn::Div(sums.t, sums.det), inside},
+                                     everywhere<group>(triangle.a),
+                                     {lo.x, lo.y, lo.z, hi.x, hi.y, hi.z}, origin_.from(first),
+                                     inverse_.from(first), padding);
     if constexpr (C::counts) count(Event::object_hit, hn::CountTrue(tag, met));
-    t = clamp(t, entry, exit);
     const V best = row(t_, first);
     const auto number = hn::Set(word, primitive), holder = hn::Load(word, &primitive_[first]);
     const auto earlier = hn::RebindMask(tag, hn::Lt(number, holder));
@@ -274,7 +275,7 @@ inline void Packet::offer(std::size_t first, Mask inside, const WideSums<V>& sum
 
 template <Counter C>
 inline void Packet::test_alone(std::size_t i, const Triangle& triangle, std::uint32_t primitive,
-                               const Box& bounds, C& count) {
+                               float padding, C& count) {
     const TestRay ray({{origin_.x[i], origin_.y[i], origin_.z[i]},
                        t_min_[i],
                        {direction_.x[i], direction_.y[i], direction_.z[i]}},
@@ -282,7 +283,8 @@ inline void Packet::test_alone(std::size_t i, const Triangle& triangle, std::uin
     Hit best = hit(i);
     bool met = false;
     intersect_in_double(triangle, ray, [&](float t, float u, float v) {
-        met |= rayshoot::offer(t, u, v, primitive, bounds, ray, best);
+        met |= rayshoot::offer(t, u, v, primitive, padded(bounds(triangle), padding), ray,
+                                best);
     });
     if constexpr (C::counts) count(Event::object_hit, met);
     t_[i] = best.t;

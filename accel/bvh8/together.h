@@ -3,56 +3,88 @@
 #include "accel/bvh8/bvh8.h"
 
 /// A packet goes through the tree as one beam (Reshetov, Soupikov & Hurley 2005); only leaves tell
-/// its rays apart.
+/// its rays apart. A beam that meets many nodes is wider than what it sees is large: then sections
+/// of the packet go on from where it came to as narrower beams, and at last each ray alone.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// False where the packet is given up, with the nearest hits so far in it: a beam that meets so
-/// many nodes is wider than what it sees is large, and its rays do better alone.
 template <Query Q, Counter C>
-inline bool Bvh8::trace_packet(Packet& packet, std::vector<Halt>& halts, C& count) const {
-    using namespace simd;
-    constexpr auto tag = floats<WideNode::width>;
-    constexpr int most_steps = 64;
-    const auto nearest_last = [](const Halt& a, const Halt& b) { return a.entry > b.entry; };
+inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch,
+                                 C& count) const {
+    constexpr std::size_t narrow = std::max<std::size_t>(1, 16 / Packet::group);  // groups
+    Packet& packet = scratch.packet;
+    Halts& halts = scratch.halts;
+    const auto store = [&](Packet::Section section) {
+        for (std::size_t i = section.first_ray(); i < section.end_ray(); ++i)
+            answers.store(part.first + i, packet.hit(i));
+    };
+    const Packet::Section all = packet.all();
     halts.clear();
-    WideChild current = WideChild::node(0);
-    for (int steps = 0; steps < most_steps; ++steps) {
-        const WideNode& node = node_at(current);
-        count(Event::step);
-        if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
-        const auto [entry, exit] = packet.beam().clip(node.bounds);
-        alignas(32) std::array<float, WideNode::width> entries;
-        hn::Store(entry, tag, entries.data());
-        const auto before = static_cast<std::ptrdiff_t>(halts.size());
-        for (std::uint32_t rest = bits(tag, hn::Le(entry, exit)); rest != 0; rest &= rest - 1) {
-            const auto place = static_cast<std::uint32_t>(std::countr_zero(rest));
-            halts.push_back({current.bits(), place, entries[place]});
-        }
-        std::sort(halts.begin() + before, halts.end(), nearest_last);
-        while (true) {
-            if (halts.empty()) return true;
-            const Halt next = halts.back();
-            halts.pop_back();
-            if (next.entry > packet.beam().nearest) continue;
-            const WideNode& parent = node_at(WideChild::from(next.node));
-            const WideChild child = parent.child(next.place);
-            if (child.interior()) {
-                current = child;
-                break;
-            }
-            visit_leaf<Q>(packet, parent, next.place, count);
+    step(packet.beam(all), 0, halts, count);
+    if (follow<Q>(packet, all, wide_steps_, halts, count)) return store(all);
+    halts.set_aside();
+    for (std::size_t first = 0; first < all.count; first += narrow) {
+        const Packet::Section section{first, std::min(narrow, all.count - first)};
+        halts.repeat();
+        if (follow<Q>(packet, section, narrow_steps_, halts, count)) {
+            store(section);
+        } else {
+            const std::span<const Ray> rays =
+                part.rays.subspan(section.first_ray(), section.end_ray() - section.first_ray());
+            trace_each<Q>({rays, part.first + section.first_ray(), &packet, section.first_ray(),
+                           &halts},
+                          answers, scratch, count);
         }
     }
-    return false;
+}
+
+/// Whether the beam came to the end of its halts in so many steps.
+template <Query Q, Counter C>
+inline bool Bvh8::follow(Packet& packet, Packet::Section section, int most_steps, Halts& halts,
+                         C& count) const {
+    Beam beam = packet.beam(section);
+    while (!halts.empty()) {
+        const Halt halt = halts.top();
+        if (halt.entry > beam.nearest) {
+            halts.pop();
+            continue;
+        }
+        const WideChild child = nodes_[halt.node].child(halt.place);
+        if (!child.interior()) {
+            halts.pop();
+            visit_leaf<Q>(packet, section, halt, count);
+            beam.nearest = packet.reach(section);
+        } else if (most_steps-- > 0) {
+            halts.pop();
+            step(beam, child.number(), halts, count);
+        } else {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The children that the beam meets become halts.
+template <Counter C>
+inline void Bvh8::step(const Beam& beam, std::uint32_t number, Halts& halts, C& count) const {
+    const WideNode& node = nodes_[number];
+    count(Event::step);
+    if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
+    const auto [entry, exit] = beam.clip(node.bounds);
+    halts.push(number, simd::hn::Le(entry, exit), entry);
+    if (halts.size() > 1) {
+        const Halt then = halts[halts.size() - 2];
+        fetch(nodes_[then.node].child(then.place));
+    }
 }
 
 template <Query Q, Counter C>
-inline void Bvh8::visit_leaf(Packet& packet, const WideNode& parent, std::size_t place,
+inline void Bvh8::visit_leaf(Packet& packet, Packet::Section section, const Halt& halt,
                              C& count) const {
     using namespace simd;
-    const PackedLeaf leaf = parent.child(place).leaf();
-    for (std::size_t group = 0; group < packet.groups(); ++group) {
-        const Packet::Mask active = packet.meets(group, parent.bounds, place);
+    const WideNode& parent = nodes_[halt.node];
+    const PackedLeaf leaf = parent.child(halt.place).leaf();
+    for (std::size_t group = section.first; group < section.end(); ++group) {
+        const Packet::Mask active = packet.meets(group, parent.bounds, halt.place);
         if constexpr (C::counts) {
             count(Event::bounding_volume_test, Packet::group);
             count(Event::cell, hn::CountTrue(floats<Packet::group>, active));
@@ -62,7 +94,6 @@ inline void Bvh8::visit_leaf(Packet& packet, const WideNode& parent, std::size_t
             packet.test<Q>(group, active, leaves_.triangles(leaf.first_block() + i),
                            leaves_.padding(), count);
     }
-    packet.shorten();
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
