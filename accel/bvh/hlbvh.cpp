@@ -85,11 +85,31 @@ private:
         return static_cast<std::uint32_t>(middle - keys_.begin());
     }
 
+    /// The same among the places that cost no more leaves than need be.
+    std::uint32_t split_into_full_leaves(const Range& range) const {
+        std::uint32_t best = range.first + settings_.largest_leaf;
+        std::uint64_t difference = 0;
+        for (std::uint32_t i = range.first + 1; i < range.last; ++i) {
+            const std::uint64_t here = keys_[i - 1].bits() ^ keys_[i].bits();
+            const std::uint32_t needed = leaves_for(i - range.first) + leaves_for(range.last - i);
+            if (here <= difference || needed > leaves_for(range.count())) continue;
+            best = i;
+            difference = here;
+        }
+        return best;
+    }
+    std::uint32_t leaves_for(std::uint32_t boxes) const {
+        return (boxes + settings_.largest_leaf - 1) / settings_.largest_leaf;
+    }
+
     Extent emit(const Range& range, BinaryTree::Node& node, int depth) {
         if (range.count() <= settings_.largest_leaf) return make_leaf(range, node, depth);
         const bool out_of_depth =
             depth + 1 + static_cast<int>(std::bit_width(range.count())) >= levels_of_cluster;
-        const std::uint32_t middle = out_of_depth ? range.first + range.count() / 2 : split(range);
+        const bool few_leaves = range.count() <= 4 * settings_.largest_leaf;
+        const std::uint32_t middle = few_leaves     ? split_into_full_leaves(range)
+                                     : out_of_depth ? range.first + range.count() / 2
+                                                    : split(range);
         node.first = BinaryTree::pair_at(middle);
         node.count = 0;
         BinaryTree::Node* pair = &tree_.nodes[node.first];
