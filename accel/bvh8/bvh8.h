@@ -1,7 +1,9 @@
 #pragma once
 
+#include "accel/bvh/builders.h"
 #include "accel/bvh8/halts.h"
 #include "accel/bvh8/packet.h"
+#include "accel/core/raw_array.h"
 #include "accel/core/session.h"
 
 /// Bounding-volume hierarchy with eight children a node, tested at once. Coherent rays go together
@@ -18,12 +20,16 @@ public:
         "bounding-volume hierarchy: binned SAH, 8-wide, SIMD leaves, packets, rays in flight";
     static constexpr bool complete = true, remembers = false;
     static constexpr std::array options{
-        OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
+        build_option, OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
         OptionInfo{"bins", "2 to 256", "16", "bins per axis that a split is chosen from"},
         OptionInfo{"packets", "on|off", "on", "coherent rays go together, up to 64"},
         OptionInfo{"flight", "1 to 64", "16", "incoherent rays on their way at once"}};
-    static constexpr std::array<std::string_view, 4> configurations{
-        "bvh8", "bvh8:packets=off,flight=1", "bvh8:packets=off,flight=16", "bvh8:leaf=32,bins=4"};
+    static constexpr std::array<std::string_view, 6> configurations{"bvh8",
+                                                                    "bvh8:build=fast",
+                                                                    "bvh8:build=high",
+                                                                    "bvh8:packets=off,flight=1",
+                                                                    "bvh8:packets=off,flight=16",
+                                                                    "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
 
     struct Scratch {
@@ -80,7 +86,7 @@ private:
     void fetch(WideChild child) const;
     const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
 
-    PagedVector<WideNode> nodes_;
+    RawArray<WideNode> nodes_;
     PackedLeaves leaves_;
     std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
