@@ -22,8 +22,7 @@ Bvh8::Bvh8(const BuildInput& input, const Options& chosen) {
                   .references = tree.order.size(),
                   .depth = static_cast<std::uint64_t>(tree.depth),
                   .bytes = nodes_.size() * sizeof(WideNode) + leaves_.bytes()};
-    packets_ = chosen.flag("packets") && leaves_.only_triangles() &&
-               input.geometry.precision() == Precision::standard;
+    packets_ = chosen.flag("packets");
     in_flight_ = static_cast<std::size_t>(chosen.integer("flight", 1, most_flights));
 }
 

@@ -31,6 +31,8 @@ public:
                                                                     "bvh8:packets=off,flight=16",
                                                                     "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
+    /// Nodes that a beam meets before it is split: one of more than 16 rays, and one of fewer.
+    static constexpr int wide_steps = 12, narrow_steps = 40;
 
     struct Scratch {
         std::vector<Flight> flights = std::vector<Flight>(most_flights);
@@ -83,6 +85,13 @@ private:
     void visit_triangles(Departures& departures, Flight* flights, C& count) const;
     template <Query Q, Counter C>
     void visit_leaf(Packet& packet, Packet::Section section, const Halt& halt, C& count) const;
+    template <Query Q, Precision P, Counter C>
+    void test_triangles(Packet& packet, std::size_t group, Packet::Mask active, PackedLeaf leaf,
+                        C& count) const;
+    /// Whatever is not triangles in the standard precision; out of the way of those that are.
+    template <Query Q, Counter C>
+    [[gnu::noinline]] void test_others(Packet& packet, std::size_t group, Packet::Mask active,
+                                       PackedLeaf leaf, C& count) const;
     void fetch(WideChild child) const;
     const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
 
@@ -90,7 +99,6 @@ private:
     PackedLeaves leaves_;
     std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
-    int wide_steps_ = 12, narrow_steps_ = 40;
     std::size_t in_flight_ = 1;
     Footprint footprint_;
 };
@@ -104,7 +112,7 @@ inline void Bvh8::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scra
     for (std::size_t i = 0; packets_ && i + Packet::group <= rays.size(); i += Packet::most) {
         const std::size_t whole_groups = (rays.size() - i) / Packet::group * Packet::group;
         const std::size_t together = std::min(Packet::most, whole_groups);
-        if (!packet.load(rays.subspan(i, together))) continue;
+        if (!packet.load(rays.subspan(i, together), leaves_.precision())) continue;
         trace_each<Q>({rays.subspan(waiting, i - waiting), waiting}, answers, scratch, count);
         trace_together<Q>({rays.subspan(i, together), i}, answers, scratch, count);
         waiting = i + together;

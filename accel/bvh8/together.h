@@ -20,12 +20,12 @@ inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch&
     const Packet::Section all = packet.all();
     halts.clear();
     step(packet.beam(all), 0, halts, count);
-    if (follow<Q>(packet, all, wide_steps_, halts, count)) return store(all);
+    if (follow<Q>(packet, all, wide_steps, halts, count)) return store(all);
     halts.set_aside();
     for (std::size_t first = 0; first < all.count; first += narrow) {
         const Packet::Section section{first, std::min(narrow, all.count - first)};
         halts.repeat();
-        if (follow<Q>(packet, section, narrow_steps_, halts, count)) {
+        if (follow<Q>(packet, section, narrow_steps, halts, count)) {
             store(section);
         } else {
             const std::span<const Ray> rays =
@@ -90,10 +90,32 @@ inline void Bvh8::visit_leaf(Packet& packet, Packet::Section section, const Halt
             count(Event::cell, hn::CountTrue(floats<Packet::group>, active));
         }
         if (hn::AllFalse(floats<Packet::group>, active)) continue;
-        for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-            packet.test<Q>(group, active, leaves_.triangles(leaf.first_block() + i),
-                           leaves_.padding(), count);
+        if (leaf.only_triangles() && leaves_.precision() == Precision::standard) [[likely]]
+            test_triangles<Q, Precision::standard>(packet, group, active, leaf, count);
+        else test_others<Q>(packet, group, active, leaf, count);
     }
+}
+
+template <Query Q, Precision P, Counter C>
+inline void Bvh8::test_triangles(Packet& packet, std::size_t group, Packet::Mask active,
+                                 PackedLeaf leaf, C& count) const {
+    for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
+        packet.test<Q, P>(group, active, leaves_.triangles(leaf.first_block() + i),
+                          leaves_.padding(), count);
+}
+
+template <Query Q, Counter C>
+void Bvh8::test_others(Packet& packet, std::size_t group, Packet::Mask active, PackedLeaf leaf,
+                       C& count) const {
+    if (leaf.is_mixed())
+        return packet.test_each<Q>(group, active, [&](const TestRay& ray, Hit& hit) {
+            leaves_.template test<Q>(leaf, ray, hit, count);
+        });
+    if (leaf.only_triangles())
+        return test_triangles<Q, Precision::watertight>(packet, group, active, leaf, count);
+    for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
+        packet.test<Q>(group, active, leaves_.spheres(leaf.first_block() + i), leaves_.padding(),
+                       count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

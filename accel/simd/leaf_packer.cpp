@@ -58,7 +58,6 @@ PackedLeaf LeafPacker::add(std::span<const std::uint32_t> members) {
     const bool triangles_only = of_spheres == 0 && others.count == 0;
     if (triangles_only && fits(end, of_triangles, PackedLeaf::most_triangle_blocks))
         return PackedLeaf::triangles(first, of_triangles);
-    leaves_.only_triangles_ = false;
     const bool spheres_only = of_triangles == 0 && others.count == 0;
     if (spheres_only && fits(end, of_spheres, PackedLeaf::most_sphere_blocks))
         return PackedLeaf::spheres(first, of_spheres);

@@ -88,8 +88,6 @@ public:
     float padding() const { return padding_; }
     Precision precision() const { return precision_; }
 
-    /// Every leaf is blocks of triangles, which packets of rays can test.
-    bool only_triangles() const { return only_triangles_; }
     std::size_t bytes() const {
         return blocks_.size() * sizeof(LeafBlock) + mixed_.size() * sizeof(Runs) + others_.bytes();
     }
@@ -122,7 +120,6 @@ private:
     Leaves others_;
     float padding_ = 0;
     Precision precision_ = Precision::standard;
-    bool only_triangles_ = true;
 };
 
 template <Query Q, Precision P, Counter C>

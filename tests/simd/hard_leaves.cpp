@@ -164,6 +164,36 @@ Ray hard_ray(const Geometry& geometry, std::uint32_t primitive, Random& random) 
     return ray;
 }
 
+std::vector<Ray> hard_packet(const Geometry& geometry, std::uint32_t primitive, std::size_t size,
+                             Random& random) {
+    const PrimitiveRef& ref = geometry.ref(primitive);
+    const Spot middle = hard_spot(geometry, ref, random);
+    const double extent = std::max(diagonal(geometry.bounds(primitive)), 0x1p-60);
+    dvec3 way = random.unit();
+    const std::uint32_t choice = random.below(4);
+    if (choice == 0) {  // grazing
+        way = way - dot(way, middle.normal) * middle.normal;
+        way = way + random.magnitude(-40, -4) * middle.normal;
+    }
+    if (choice == 1)
+        for (const int axis : {1, 2}) way[axis] *= random.magnitude(-40, -4);
+    const bool from_there = random.below(8) == 0, apart = random.below(2) == 0;
+    const dvec3 origin = middle.point - extent * random.magnitude(2, 20) * way;
+    const auto length = static_cast<float>(random.magnitude(-20, 20));
+    std::vector<Ray> rays(size);
+    for (Ray& ray : rays) {
+        const Spot spot = hard_spot(geometry, ref, random);
+        ray.origin = vec3(from_there ? spot.point : origin);
+        if (apart) ray.origin = ray.origin + random.in_cube(0.01 * extent);
+        ray.direction = vec3(from_there ? way + dvec3(random.in_cube(0.01)) : spot.point - origin);
+        if (random.below(4) == 0 && !from_there) ray.direction = vec3(spot.point) - ray.origin;
+        ray.direction = times(ray.direction, length);
+        ray.t_min = random.below(4) == 0 ? 0 : -infinity;
+        ray.time = static_cast<float>(random.uniform(0, 1));
+    }
+    return rays;
+}
+
 Ray ending_near(const Ray& ray, float t, Random& random) {
     Ray limited = ray;
     switch (random.below(6)) {

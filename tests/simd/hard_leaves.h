@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <vector>
 
 /// Leaves and rays on which vector code could differ from the scalar test, were it to differ.
 namespace rayshoot::cases {
@@ -26,6 +27,11 @@ struct HardLeaf {
 /// along the axes and diagonals, from 3e6 sizes away, with a direction of any length and zeros of
 /// either sign.
 Ray hard_ray(const Geometry& geometry, std::uint32_t primitive, Random& random);
+
+/// Rays that go nearly the same way, through spots of a primitive that is not a Mover and past it:
+/// from near or far, at corners and edges, grazing, nearly along an axis.
+std::vector<Ray> hard_packet(const Geometry& geometry, std::uint32_t primitive, std::size_t size,
+                             Random& random);
 
 /// The same ray whose interval ends at, just before or just behind a hit, or starts there.
 Ray ending_near(const Ray& ray, float t, Random& random);

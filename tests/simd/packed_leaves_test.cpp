@@ -148,7 +148,6 @@ TEST(PackedLeaf, of_one_kind_is_its_blocks) {
         EXPECT_EQ(PackedLeaf::from(leaf.bits()).bits(), leaf.bits());
         EXPECT_EQ(leaf.bits() >> 31, 0u);
     }
-    EXPECT_FALSE(leaves.only_triangles());
     const auto address = [&](PackedLeaf leaf) -> const void* {
         return leaves.first() + PackedLeaves::offset(leaf);
     };

@@ -1,10 +1,6 @@
 #include "accel/bvh8/packet.h"
-#include "tests/core/cases.h"
-
-#include <gtest/gtest.h>
-
-#include <cstring>
-#include <vector>
+#include "accel/simd/leaf_packer.h"
+#include "tests/simd/hard_leaves.h"
 
 /// A packet's rays answer like single rays; its beam misses nothing that one of them meets.
 namespace rayshoot {
@@ -26,7 +22,7 @@ std::vector<Ray> rays_about(const vec3& towards, float spread, float apart, case
 std::vector<Ray> some_packet(Packet& packet, const vec3& towards, cases::Random& random) {
     while (true) {
         const std::vector<Ray> rays = rays_about(towards, 0.1f, 0.01f, random);
-        if (packet.load(rays)) return rays;
+        if (packet.load(rays, Precision::standard)) return rays;
     }
 }
 
@@ -65,44 +61,160 @@ TEST(Packet, beam_meets_every_box_that_a_ray_meets) {
     EXPECT_GT(missed, 1000u);
 }
 
-TEST(Packet, rays_answer_like_single_rays) {
-    cases::Random random(2);
-    Packet packet;
-    std::size_t hits = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const Triangle triangle = cases::triangle(random);
-        const std::vector<Ray> rays = some_packet(packet, triangle.a, random);
-        const Geometry geometry = cases::alone(triangle);
-        TriangleBlock block;
-        block.set(0, triangle, 0);
-        Boxes<1> box;
-        box.set(0, geometry.bounds(0));
+using cases::Answer;
+using cases::HardLeaf;
+using cases::Mixture;
+
+/// A leaf whose primitives a packet tests together, and what Leaves says of them.
+class Judged {
+public:
+    Judged(const HardLeaf& hard, std::uint32_t size)
+        : order_(hard.members), range_{0, size}, leaves_(hard.geometry, order_, {&range_, 1}) {}
+
+    /// Asks Leaves about each ray, and the packet by test(packet, group, count) about all; counts
+    /// the pairs that were tested.
+    template <Query Q, class Test>
+    void expect_same(Packet& packet, std::span<const Ray> rays, std::vector<Hit>& hits,
+                     Test&& test) {
         Counters counts, wanted_counts;
-        Tally tally{&counts}, wanted_tally{&wanted_counts};
-        for (std::size_t group = 0; group < packet.all().end(); ++group)
-            packet.test<Query::closest>(group, packet.meets(group, box, 0), block,
-                                        geometry.padding(), tally);
-        for (std::size_t j = 0; j < rays.size(); ++j) {
-            Hit wanted = nothing_yet(rays[j]);
-            if (!clip(SlabRay(rays[j].origin, rays[j].direction), geometry.bounds(0),
-                      {rays[j].t_min, wanted.t})
-                     .empty())
-                test_primitive<Query::closest>(geometry, 0, rays[j], wanted, wanted_tally);
-            const Hit found = packet.hit(j);
-            ASSERT_EQ(std::memcmp(&found, &wanted, sizeof(Hit)), 0) << cases::print(rays[j]);
-            hits += found.primitive != no_primitive;
+        Tally tally{&counts};
+        const Packet::Section all = packet.all();
+        for (std::size_t group = all.first; group < all.end(); ++group) test(group, tally);
+        hits.clear();
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Answer wanted = cases::ask(rays[i], [&](const Ray& ray, Hit& hit, auto& count) {
+                leaves_.test<Q>(range_, leaves_.prepared(ray), hit, count);
+            });
+            wanted_counts += wanted.counts;
+            hits.push_back(wanted.hit);
+            const Hit found = packet.hit(i);
+            const bool same = Q == Query::closest ? cases::same_bits(found, wanted.hit)
+                                                  : (found.primitive == no_primitive) ==
+                                                        (wanted.hit.primitive == no_primitive);
+            ASSERT_TRUE(same) << cases::print(rays[i]);
         }
-        ASSERT_EQ(counts, wanted_counts);
+        if constexpr (Q == Query::closest) {
+            ASSERT_EQ(counts, wanted_counts);
+        }
+        tests += counts[Event::object_test];
+        met += counts[Event::object_hit];
     }
-    EXPECT_GT(hits, 10000u);
+
+    static inline std::uint64_t tests = 0, met = 0;
+
+private:
+    std::vector<std::uint32_t> order_;
+    LeafRange range_;
+    Leaves leaves_;
+};
+
+/// test(packet, group, leaf of the first `most` members, query, count), in many packets.
+template <class Test>
+void expect_like_leaves(Mixture mixture, Precision precision, std::uint32_t most, int packets,
+                        Test&& test) {
+    cases::Random random(2);
+    Judged::tests = Judged::met = 0;
+    Packet packet;
+    int made = 0;
+    for (int i = 0; i < packets; ++i) {
+        const HardLeaf hard(mixture, precision, random);
+        const std::uint32_t size = std::min(hard.geometry.size(), most);
+        const std::uint32_t target = hard.members[random.below(size)];
+        std::vector<Ray> rays = cases::hard_packet(hard.geometry, target, Packet::most, random);
+        if (!packet.load(rays, precision)) continue;
+        ++made;
+        const auto members = std::span(hard.members).first(size);
+        Judged judged(hard, size);
+        std::vector<Hit> hits;
+        const auto ask = [&]<Query Q>(std::integral_constant<Query, Q> query) {
+            judged.expect_same<Q>(packet, rays, hits, [&](std::size_t group, auto& count) {
+                test(packet, group, hard.geometry, members, query, count);
+            });
+        };
+        ask(std::integral_constant<Query, Query::closest>());
+        if (testing::Test::HasFatalFailure()) return;
+        for (std::size_t j = 0; j < rays.size(); ++j)
+            if (hits[j].primitive != no_primitive)
+                rays[j] = cases::ending_near(rays[j], hits[j].t, random);
+        ASSERT_TRUE(packet.load(rays, precision));
+        ask(std::integral_constant<Query, Query::closest>());
+        ASSERT_TRUE(packet.load(rays, precision));
+        ask(std::integral_constant<Query, Query::occluded>());
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(made, packets / 4);
+    EXPECT_GT(Judged::tests, 1000000u);
+    EXPECT_GT(Judged::met, Judged::tests / 20);
+}
+
+Packet::Mask everyone() {
+    return simd::hn::Eq(simd::hn::Zero(simd::floats<Packet::group>),
+                        simd::hn::Zero(simd::floats<Packet::group>));
+}
+
+template <Precision P>
+void expect_triangles_like_leaves() {
+    expect_like_leaves(Mixture::triangles, P, TriangleBlock::width, 8000,
+                       [](Packet& packet, std::size_t group, const Geometry& geometry,
+                          std::span<const std::uint32_t> members, auto query, auto& count) {
+                           TriangleBlock block;
+                           for (std::size_t i = 0; i < members.size(); ++i)
+                               block.set(i, geometry.triangle(members[i]), members[i]);
+                           packet.test<query(), P>(group, everyone(), block, geometry.padding(),
+                                                   count);
+                       });
+}
+
+TEST(Packet, meets_triangles_where_each_ray_does) {
+    expect_triangles_like_leaves<Precision::standard>();
+}
+
+TEST(Packet, meets_watertight_triangles_where_each_ray_does) {
+    expect_triangles_like_leaves<Precision::watertight>();
+}
+
+TEST(Packet, meets_spheres_where_each_ray_does) {
+    expect_like_leaves(Mixture::spheres, Precision::standard, SphereBlock::width, 8000,
+                       [](Packet& packet, std::size_t group, const Geometry& geometry,
+                          std::span<const std::uint32_t> members, auto query, auto& count) {
+                           SphereBlock block;
+                           for (std::size_t i = 0; i < members.size(); ++i)
+                               block.set(i, geometry.sphere(members[i]), members[i]);
+                           packet.test<query()>(group, everyone(), block, geometry.padding(),
+                                                count);
+                       });
+}
+
+TEST(Packet, meets_anything_ray_by_ray) {
+    expect_like_leaves(Mixture::anything, Precision::watertight, 8, 4000,
+                       [](Packet& packet, std::size_t group, const Geometry& geometry,
+                          std::span<const std::uint32_t> members, auto query, auto& count) {
+                           LeafPacker packer(geometry);
+                           const PackedLeaf leaf = packer.add(members);
+                           const PackedLeaves leaves = std::move(packer).build();
+                           packet.test_each<query()>(
+                               group, everyone(), [&](const TestRay& ray, Hit& hit) {
+                                   leaves.test<query()>(leaf, ray, hit, count);
+                               });
+                       });
+}
+
+TEST(Packet, that_is_watertight_has_one_dominant_axis) {
+    Packet packet;
+    std::vector<Ray> rays(Packet::group, Ray{vec3(0), 0, vec3(0.5f, 1, 1.1f)});
+    EXPECT_TRUE(packet.load(rays, Precision::watertight));
+    rays[3].direction.y = 1.2f;
+    EXPECT_FALSE(packet.load(rays, Precision::watertight));
+    EXPECT_TRUE(packet.load(rays, Precision::standard));
 }
 
 TEST(Packet, is_not_made_of_rays_that_go_different_ways) {
     cases::Random random(3);
     Packet packet;
-    for (int i = 0; i < 1000; ++i) EXPECT_FALSE(packet.load(rays_about(vec3(0), 100, 0, random)));
+    for (int i = 0; i < 1000; ++i)
+        EXPECT_FALSE(packet.load(rays_about(vec3(0), 100, 0, random), Precision::standard));
     std::vector<Ray> straight(Packet::group, Ray{vec3(0), 0, vec3(0, 0, 1)});
-    EXPECT_FALSE(packet.load(straight)) << "zeros have two signs";
+    EXPECT_FALSE(packet.load(straight, Precision::standard)) << "zeros have two signs";
 }
 
 }  // namespace

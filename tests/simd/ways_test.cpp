@@ -4,43 +4,79 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <tuple>
 
-/// Every way through the 8-wide tree on rays that suit none: packets so wide that they are given
-/// up.
+/// Every way through the 8-wide tree, over leaves of every kind: on packets that stay together and
+/// on such wide ones that they are given up.
 namespace rayshoot {
 namespace {
 
-Geometry many_small_triangles() {
+struct Scene {
+    const char* name;
+    Precision precision;
+    std::uint32_t triangles, spheres, others;  ///< of ten primitives
+};
+constexpr Scene scenes[] = {{"triangles", Precision::standard, 10, 0, 0},
+                            {"watertight_triangles", Precision::watertight, 10, 0, 0},
+                            {"spheres", Precision::standard, 0, 10, 0},
+                            {"mixture", Precision::standard, 6, 3, 1},
+                            {"watertight_mixture", Precision::watertight, 6, 3, 1}};
+
+/// Frusta, and spheres that move.
+void add_other(GeometryBuilder& builder, const vec3& place, cases::Random& random) {
+    if (random.below(2) == 0) {
+        builder.add_frustum({place, 0.01f, place + random.in_cube(0.04), 0.005f});
+    } else {
+        Motion motion;
+        motion.translation[1] = random.in_cube(0.02);
+        builder.add_sphere({place, 0.01f}, builder.add_motion(motion));
+    }
+}
+
+Geometry many_small_ones(const Scene& scene) {
     cases::Random random(1);
     GeometryBuilder builder;
     for (int i = 0; i < 20000; ++i) {
         const vec3 place = random.in_cube(1);
-        const std::uint32_t first = builder.add_vertex(place);
-        builder.add_vertex(place + random.in_cube(0.02));
-        builder.add_vertex(place + random.in_cube(0.02));
-        builder.add_triangle({first, first + 1, first + 2});
+        const std::uint32_t kind = random.below(10);
+        if (kind < scene.triangles) {
+            const vec3 b = place + random.in_cube(0.02), c = place + random.in_cube(0.02);
+            builder.add_triangle(place, b, c);
+        } else if (kind < scene.triangles + scene.spheres) {
+            builder.add_sphere({place, static_cast<float>(random.uniform(0.001, 0.01))});
+        } else {
+            add_other(builder, place, random);
+        }
     }
-    return std::move(builder).build(Precision::standard);
+    return std::move(builder).build(scene.precision);
 }
 
-std::vector<Ray> wide_packets() {
+/// From nearly one point, in directions that spread.
+std::vector<Ray> packets(double apart, double spread) {
     cases::Random random(2);
-    std::vector<Ray> rays(4096);
-    for (Ray& ray : rays) {
-        ray.origin = vec3(3) + random.in_cube(0.2);
-        ray.direction = vec3(-3) + random.in_cube(0.3);
+    std::vector<Ray> rays;
+    while (rays.size() < 4096) {
+        const vec3 towards = vec3(-3) + random.in_cube(0.9);
+        for (int i = 0; i < 64; ++i) {
+            Ray ray;
+            ray.origin = vec3(3, 3, 3.5f) + random.in_cube(apart);
+            ray.direction = towards + random.in_cube(spread);
+            ray.time = static_cast<float>(random.uniform(0, 1));
+            rays.push_back(ray);
+        }
     }
     return rays;
 }
 
-class Ways : public testing::TestWithParam<const char*> {};
+class Ways : public testing::TestWithParam<std::tuple<const char*, Scene>> {};
 
-TEST_P(Ways, answer_like_the_scalar_tree) {
-    const Geometry geometry = many_small_triangles();
-    const std::vector<Ray> rays = wide_packets();
+/// Returns what was counted.
+Counters expect_answers_like_the_scalar_tree(const char* way, const Scene& scene,
+                                             const std::vector<Ray>& rays) {
+    const Geometry geometry = many_small_ones(scene);
     const BuildInput input{geometry};
     const auto scalar = build(built_in_catalogue(), "bvh", input);
-    const auto tested = build(built_in_catalogue(), GetParam(), input);
+    const auto tested = build(built_in_catalogue(), way, input);
     const auto truth = scalar->open(Mode::timing), session = tested->open(Mode::counting);
     std::vector<Hit> wanted(rays.size()), found(rays.size());
     std::vector<std::uint8_t> wanted_any(rays.size()), any(rays.size());
@@ -51,15 +87,36 @@ TEST_P(Ways, answer_like_the_scalar_tree) {
     session->occluded(batch, any);
     EXPECT_EQ(std::memcmp(found.data(), wanted.data(), found.size() * sizeof(Hit)), 0);
     EXPECT_EQ(any, wanted_any);
-    const Counters& counted = *session->counters(RayKind::secondary);
-    EXPECT_GT(counted[Event::hit], 1000u);
+    const Counters counted = *session->counters(RayKind::secondary);
+    EXPECT_GT(counted[Event::hit], 500u);
+    return counted;
+}
+
+TEST_P(Ways, answer_like_the_scalar_tree_where_packets_are_given_up) {
+    const auto& [way, scene] = GetParam();
+    const std::vector<Ray> rays = packets(0.2, 0.3);
+    const Counters counted = expect_answers_like_the_scalar_tree(way, scene, rays);
     // More steps than 64 a packet can take: they were given up, and their rays went on alone.
     EXPECT_GT(counted[Event::step], 2 * rays.size());
 }
 
+TEST_P(Ways, answer_like_the_scalar_tree_where_packets_stay_together) {
+    const auto& [way, scene] = GetParam();
+    const std::vector<Ray> rays = packets(0.0005, 0.0005);
+    const Counters counted = expect_answers_like_the_scalar_tree(way, scene, rays);
+    if (std::string_view(way).find("packets=off") == std::string_view::npos) {
+        EXPECT_LT(counted[Event::step], 4 * rays.size());  // twelve each, were they alone
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Bvh8, Ways,
-                         testing::Values("bvh8", "bvh8:flight=1", "bvh8:flight=16",
-                                         "bvh8:packets=off,flight=64"));
+                         testing::Combine(testing::Values("bvh8", "bvh8:flight=1", "bvh8:flight=16",
+                                                          "bvh8:packets=off,flight=64"),
+                                          testing::ValuesIn(scenes)),
+                         [](const auto& test) {
+                             return std::to_string(test.index) + "_" +
+                                    std::get<Scene>(test.param).name;
+                         });
 
 }  // namespace
 }  // namespace rayshoot
