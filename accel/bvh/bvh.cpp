@@ -1,7 +1,6 @@
 #include "accel/bvh/bvh.h"
 
-#include "accel/bvh/boxes.h"
-#include "accel/bvh/build.h"
+#include "accel/bvh/builders.h"
 
 namespace rayshoot::inline RAYSHOOT_ISA {
 namespace {
@@ -12,7 +11,7 @@ public:
     explicit Layout(const BinaryTree& tree) : tree_(tree) {}
 
     PagedVector<Bvh::Node> nodes() && {
-        nodes_.reserve(tree_.nodes.size() / 2 + 1);
+        nodes_.reserve(tree_.leaves + 1);
         nodes_.emplace_back();
         if (tree_.nodes.empty()) return std::move(nodes_);
         if (tree_.nodes.front().count > 0) fill(0, 0, 0);
@@ -61,25 +60,34 @@ private:
     std::vector<Pending> pending_;
 };
 
+/// In the order of `order`.
 std::vector<LeafRange> leaf_ranges(const BinaryTree& tree) {
     std::vector<LeafRange> ranges;
-    for (const BinaryTree::Node& node : tree.nodes)
+    ranges.reserve(tree.leaves);
+    std::vector<std::uint32_t> pending;
+    if (!tree.nodes.empty()) pending.push_back(BinaryTree::root);
+    while (!pending.empty()) {
+        const BinaryTree::Node& node = tree.nodes[pending.back()];
+        pending.pop_back();
         if (node.count > 0) ranges.push_back({node.first, node.count});
+        else pending.insert(pending.end(), {node.first + 1, node.first});
+    }
     return ranges;
 }
 
 }  // namespace
 
 Bvh::Bvh(const BuildInput& input, const Options& chosen) {
-    const BinaryTree tree =
-        build_binned_sah(boxes_of(input.geometry),
-                         {.bins = chosen.integer("bins", 2, 256),
-                          .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 64)),
-                          .deepest = deepest});
+    const BinaryTree tree = build_tree(
+        input.geometry.all_bounds(),
+        {.build = chosen_build(chosen),
+         .sah = {.bins = chosen.integer("bins", 2, BinnedSah::most_bins),
+                 .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 64)),
+                 .deepest = deepest}});
     const std::vector<LeafRange> ranges = leaf_ranges(tree);
     nodes_ = Layout(tree).nodes();
     leaves_ = Leaves(input.geometry, tree.order, ranges);
-    footprint_ = {.interior = tree.nodes.size() - ranges.size(),
+    footprint_ = {.interior = tree.leaves == 0 ? 0 : tree.leaves - 1,
                   .leaves = ranges.size(),
                   .empty_leaves = 0,
                   .references = tree.order.size(),

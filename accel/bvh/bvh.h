@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/bvh/builders.h"
 #include "accel/core/structure.h"
 
 /// Bounding-volume hierarchy of boxes, two children a node, one ray at a time: the readable
@@ -13,10 +14,10 @@ public:
         "bounding-volume hierarchy: binned SAH, 2-wide, one ray at a time";
     static constexpr bool complete = true, remembers = false;
     static constexpr std::array options{
-        OptionInfo{"leaf", "1 to 64", "4", "most primitives in a leaf"},
+        build_option, OptionInfo{"leaf", "1 to 64", "4", "most primitives in a leaf"},
         OptionInfo{"bins", "2 to 256", "16", "bins per axis that a split is chosen from"}};
-    static constexpr std::array<std::string_view, 3> configurations{"bvh", "bvh:leaf=1",
-                                                                    "bvh:leaf=8,bins=4"};
+    static constexpr std::array<std::string_view, 5> configurations{
+        "bvh", "bvh:build=fast", "bvh:build=high", "bvh:leaf=1", "bvh:leaf=8,bins=4"};
     static constexpr int deepest = 64;  ///< levels; the builder keeps to it, the stack relies on it
     struct Scratch {};
 

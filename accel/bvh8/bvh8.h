@@ -1,7 +1,9 @@
 #pragma once
 
+#include "accel/bvh/builders.h"
 #include "accel/bvh8/halts.h"
 #include "accel/bvh8/packet.h"
+#include "accel/core/raw_array.h"
 #include "accel/core/session.h"
 
 /// Bounding-volume hierarchy with eight children a node, tested at once. Coherent rays go together
@@ -18,13 +20,19 @@ public:
         "bounding-volume hierarchy: binned SAH, 8-wide, SIMD leaves, packets, rays in flight";
     static constexpr bool complete = true, remembers = false;
     static constexpr std::array options{
-        OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
+        build_option, OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
         OptionInfo{"bins", "2 to 256", "16", "bins per axis that a split is chosen from"},
         OptionInfo{"packets", "on|off", "on", "coherent rays go together, up to 64"},
         OptionInfo{"flight", "1 to 64", "16", "incoherent rays on their way at once"}};
-    static constexpr std::array<std::string_view, 4> configurations{
-        "bvh8", "bvh8:packets=off,flight=1", "bvh8:packets=off,flight=16", "bvh8:leaf=32,bins=4"};
+    static constexpr std::array<std::string_view, 6> configurations{"bvh8",
+                                                                    "bvh8:build=fast",
+                                                                    "bvh8:build=high",
+                                                                    "bvh8:packets=off,flight=1",
+                                                                    "bvh8:packets=off,flight=16",
+                                                                    "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
+    /// Nodes that a beam meets before it is split: one of more than 16 rays, and one of fewer.
+    static constexpr int wide_steps = 12, narrow_steps = 40;
 
     struct Scratch {
         std::vector<Flight> flights = std::vector<Flight>(most_flights);
@@ -88,11 +96,10 @@ private:
     void fetch(WideChild child) const;
     const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
 
-    PagedVector<WideNode> nodes_;
+    RawArray<WideNode> nodes_;
     PackedLeaves leaves_;
     std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
-    int wide_steps_ = 12, narrow_steps_ = 40;
     std::size_t in_flight_ = 1;
     Footprint footprint_;
 };

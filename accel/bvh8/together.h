@@ -20,12 +20,12 @@ inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch&
     const Packet::Section all = packet.all();
     halts.clear();
     step(packet.beam(all), 0, halts, count);
-    if (follow<Q>(packet, all, wide_steps_, halts, count)) return store(all);
+    if (follow<Q>(packet, all, wide_steps, halts, count)) return store(all);
     halts.set_aside();
     for (std::size_t first = 0; first < all.count; first += narrow) {
         const Packet::Section section{first, std::min(narrow, all.count - first)};
         halts.repeat();
-        if (follow<Q>(packet, section, narrow_steps_, halts, count)) {
+        if (follow<Q>(packet, section, narrow_steps, halts, count)) {
             store(section);
         } else {
             const std::span<const Ray> rays =

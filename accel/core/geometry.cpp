@@ -60,11 +60,6 @@ std::array<std::uint32_t, primitive_kinds> Geometry::count_by_kind() const {
     return counts;
 }
 
-Triangle Geometry::triangle(std::uint32_t index) const {
-    const auto& [a, b, c] = triangles_[index];
-    return {vertices_[a], vertices_[b], vertices_[c]};
-}
-
 bool Geometry::only_static_triangles() const {
     return std::all_of(refs_.begin(), refs_.end(), [](const PrimitiveRef& ref) {
         return ref.kind == PrimitiveKind::triangle && ref.motion == no_motion;

@@ -43,6 +43,8 @@ public:
     /// The primitive's own bounds, over the whole shutter: what its hits are clamped to.
     const Box& bounds(std::uint32_t primitive) const { return bounds_[primitive]; }
     const Box& bounds() const { return scene_bounds_; }
+    /// The bounds of all primitives, in their order.
+    std::span<const Box> all_bounds() const { return bounds_; }
 
     /// Bounds of the part of a primitive inside `box`, grown by `radius` (see error_radius) and
     /// never larger than its own bounds; empty when no part is inside. Movers: their whole bounds.
@@ -59,7 +61,10 @@ public:
     Normals normal(const Ray& ray, const Hit& hit) const;
 
     /// The primitive's data, at rest.
-    Triangle triangle(std::uint32_t index) const;
+    Triangle triangle(std::uint32_t index) const {
+        const auto& [a, b, c] = triangles_[index];
+        return {vertices_[a], vertices_[b], vertices_[c]};
+    }
     const Sphere& sphere(std::uint32_t index) const { return spheres_[index]; }
     const Frustum& frustum(std::uint32_t index) const { return frusta_[index]; }
     const Polygon& polygon(std::uint32_t index) const { return polygons_[index]; }

@@ -68,6 +68,26 @@ PackedLeaf LeafPacker::add(std::span<const std::uint32_t> members) {
     return PackedLeaf::mixed(static_cast<std::uint32_t>(leaves_.mixed_.size() - 1));
 }
 
+bool LeafPacker::make_room_for_triangles(std::size_t blocks) {
+    if (!geometry_->only_static_triangles() || blocks > PackedLeaf::most_triangle_blocks)
+        return false;
+    leaves_.blocks_.resize(blocks);
+    return true;
+}
+
+PackedLeaf LeafPacker::set_triangles(std::uint32_t first_block,
+                                     std::span<const std::uint32_t> members) {
+    std::uint32_t blocks = 0;
+    for (std::size_t i = 0; i < members.size(); i += TriangleBlock::width) {
+        TriangleBlock& block =
+            (new (&leaves_.blocks_[first_block + blocks++]) LeafBlock(TriangleBlock()))->triangles;
+        // Where there are no other kinds, a triangle's number is its index.
+        for (std::size_t lane = 0; lane < block.width && i + lane < members.size(); ++lane)
+            block.set(lane, geometry_->triangle(members[i + lane]), members[i + lane]);
+    }
+    return PackedLeaf::triangles(first_block, blocks);
+}
+
 PackedLeaves LeafPacker::build() && {
     leaves_.padding_ = geometry_->padding();
     leaves_.precision_ = geometry_->precision();

@@ -14,6 +14,12 @@ public:
     /// numbered.
     PackedLeaf add(std::span<const std::uint32_t> members);
 
+    /// Where the geometry has nothing but triangles that stand still: room for the blocks of all
+    /// leaves, to be set in any order and at once. False, and nothing done, where it has, or where
+    /// so many blocks cannot be numbered.
+    bool make_room_for_triangles(std::size_t blocks);
+    PackedLeaf set_triangles(std::uint32_t first_block, std::span<const std::uint32_t> members);
+
     PackedLeaves build() &&;
 
 private:

@@ -48,6 +48,7 @@ union LeafBlock {
     TriangleBlock triangles;
     SphereBlock spheres;
 
+    LeafBlock() {}  // one that is still to be set
     LeafBlock(const TriangleBlock& block) : triangles(block) {}
     LeafBlock(const SphereBlock& block) : spheres(block) {}
 };

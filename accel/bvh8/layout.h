@@ -1,0 +1,20 @@
+#pragma once
+
+#include "accel/bvh/binary_tree.h"
+#include "accel/bvh8/node.h"
+#include "accel/core/raw_array.h"
+
+/// From a binary tree to wide nodes and packed leaves.
+namespace rayshoot::inline RAYSHOOT_ISA {
+
+struct WideTree {
+    RawArray<WideNode> nodes;  ///< the root first, even when there is nothing in it
+    PackedLeaves leaves;
+};
+
+/// Nodes and leaves stand depth first, but for the topmost nodes, which come before all others. In
+/// parallel where all primitives are triangles that stand still; the same for any number of
+/// threads.
+WideTree laid_out(const Geometry& geometry, const BinaryTree& tree);
+
+}  // namespace rayshoot::inline RAYSHOOT_ISA
