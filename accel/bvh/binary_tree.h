@@ -1,7 +1,7 @@
 #pragma once
 
-#include "accel/core/raw_array.h"
 #include "accel/core/box.h"
+#include "accel/core/raw_array.h"
 
 #include <algorithm>
 #include <cstdint>

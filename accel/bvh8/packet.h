@@ -254,12 +254,13 @@ inline Packet::Mask Packet::meets(std::size_t g, const Boxes<Width>& boxes, std:
 }
 
 template <Query Q, Precision P, Counter C>
-inline void Packet::test(std::size_t g, Mask active, const TriangleBlock& block, float padding,
-                         C& count) {
+[[gnu::always_inline]] inline void Packet::test(std::size_t g, Mask active,
+                                                const TriangleBlock& block, float padding,
+                                                C& count) {
     using namespace simd;
     constexpr auto tag = floats<group>;
     const std::size_t first = g * group;
-    const Lines rays = lines(first);
+    const auto origin = origin_.from(first), direction = direction_.from(first);
     for (std::size_t lane = 0; lane < TriangleBlock::width; ++lane) {
         const std::uint32_t primitive = block.primitive[lane];
         if (primitive == no_primitive) break;
@@ -269,17 +270,17 @@ inline void Packet::test(std::size_t g, Mask active, const TriangleBlock& block,
             const Box box = bounds(triangle);
             const auto lo = everywhere<group>(box.lo), hi = everywhere<group>(box.hi);
             const auto at = clamped<V>({t, inside}, everywhere<group>(triangle.a),
-                                       {lo.x, lo.y, lo.z, hi.x, hi.y, hi.z}, rays.origin,
-                                       rays.inverse, padding);
+                                       {lo.x, lo.y, lo.z, hi.x, hi.y, hi.z}, origin,
+                                       inverse_.from(first), padding);
             if constexpr (C::counts) count(Event::object_hit, hn::CountTrue(tag, at.met));
             accept<Q>(first, at, u, v, primitive);
         };
         if constexpr (P == Precision::standard) {
             const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
             const WideSums<V> sums(everywhere<group>(triangle.a), everywhere<group>(e1),
-                                   everywhere<group>(e2), rays.origin, rays.direction);
-            const auto trusted =
-                sums.trusted(hn::Mul(hn::Set(tag, taxicab(e1) * taxicab(e2)), rays.direction_size));
+                                   everywhere<group>(e2), origin, direction);
+            const auto trusted = sums.trusted(
+                hn::Mul(hn::Set(tag, taxicab(e1) * taxicab(e2)), row(direction_size_, first)));
             const auto inside = hn::And(active, hn::And(trusted, sums.inside()));
             const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, active));
             if (hn::AllFalse(tag, inside) && untrusted == 0) continue;
