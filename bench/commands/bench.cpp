@@ -65,10 +65,11 @@ void add_bench(CLI::App& app, Invocation& invocation) {
     auto arguments = std::make_shared<BenchArguments>();
     CLI::App* command = app.add_subcommand("bench", "Compare structures on recorded rays");
     add_plan_options(*command, arguments->plan);
-    command->add_option("--protocol", arguments->plan.protocol,
-                        "What is not given by other options is this protocol's. speed: bvh8 "
-                        "against all of Embree's paths and build qualities on six scenes, in 15 "
-                        "blocks; once for each number of threads, in a process of its own");
+    command->add_option(
+        "--protocol", arguments->plan.protocol,
+        "What is not given by other options is this protocol's. speed: bvh8 "
+        "against all of Embree's paths and build qualities on six scenes, "
+        "1024x1024, in 15 blocks; once for each number of threads, in a process of its own");
     command->add_option("--builds", arguments->builds,
                         "Builds of each structure, in turns, at least (3)");
     command->add_option("--void-above", arguments->void_above,

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace rayshoot {
 
@@ -55,8 +56,10 @@ void follow(const Protocol& protocol, const PlanOptions& options, ComparisonPlan
     plan.protocol = protocol.name;
     if (options.scenes.empty()) plan.scenes = protocol.scenes;
     plan.structures = options.structures.empty() ? protocol.structures : options.structures;
-    plan.structures.insert(plan.structures.end(), protocol.yardsticks.begin(),
-                           protocol.yardsticks.end());
+    std::ranges::copy_if(
+        protocol.yardsticks, std::back_inserter(plan.structures),
+        [&](const std::string& spec) { return std::ranges::count(plan.structures, spec) == 0; });
+    plan.format = stream_format(options.size.value_or(protocol.size), options.spp);
     require_here(plan.scenes);
     plan.repetitions = options.repetitions.value_or(protocol.least_repetitions);
     if (plan.repetitions >= protocol.least_repetitions) return;
@@ -76,7 +79,7 @@ ComparisonPlan make_plan(const Catalogue& catalogue, const PlanOptions& options)
     plan.kinds.clear();
     for (const std::string& kind : options.kinds) plan.kinds.push_back(stream_kind(kind));
     plan.ray_files.assign(options.ray_files.begin(), options.ray_files.end());
-    plan.format = stream_format(options.size, options.spp);
+    plan.format = stream_format(options.size.value_or(default_size), options.spp);
     plan.threads = require_threads(options.threads);
     plan.gate_threads = processor_count();
     plan.repetitions = options.repetitions.value_or(default_repetitions);

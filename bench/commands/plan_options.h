@@ -12,11 +12,12 @@ class App;
 namespace rayshoot {
 
 inline constexpr int default_repetitions = 11;
+inline constexpr const char* default_size = "384x384";
 
 struct PlanOptions {
     std::vector<std::string> scenes, structures, rows, ray_files;
     std::vector<std::string> kinds{"camera", "shadow", "diffuse", "random"};
-    std::string size = "384x384";
+    std::optional<std::string> size;  ///< WxH; none: default_size, or the protocol's
     int spp = 1, threads = 1;
     std::optional<int> repetitions;  ///< none: default_repetitions, or the protocol's
     std::string protocol;            ///< empty: none

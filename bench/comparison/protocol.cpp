@@ -14,6 +14,7 @@ Protocol speed() {
             .yardsticks = {"embree", "embree:kernel=single", "embree:kernel=packet",
                            "embree:kernel=stream", "embree:quality=high",
                            "embree:kernel=single,quality=high", "embree:quality=low"},
+            .size = "1024x1024",
             .least_repetitions = 15};
 }
 

@@ -12,6 +12,7 @@ struct Protocol {
     std::vector<std::string> scenes;
     std::vector<std::string> structures;  ///< ours; others may be asked for instead
     std::vector<std::string> yardsticks;  ///< always in it
+    std::string size;                     ///< WxH of the image rays are recorded from
     int least_repetitions = 0;            ///< blocks
 };
 

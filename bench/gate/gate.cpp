@@ -13,7 +13,9 @@ std::size_t rays_for_the_oracle(const BuildInput& input, const RayStream& stream
     const std::uint64_t primitives = std::max<std::uint64_t>(1, input.geometry.size());
     const std::uint64_t affordable = settings.affordable_tests / primitives;
     if (stream.size() <= affordable) return stream.size();
-    return std::min(stream.size(), settings.least_rays);
+    const std::uint64_t bearable =
+        std::max<std::uint64_t>(settings.most_tests / primitives, settings.least_rays);
+    return std::min({stream.size(), settings.sample_rays, static_cast<std::size_t>(bearable)});
 }
 
 }  // namespace

@@ -10,8 +10,10 @@ inline constexpr std::string_view oracle_spec = "brute_force";
 inline constexpr std::string_view reference_spec = "bvh";  ///< the scalar two-wide tree
 
 struct GateSettings {
-    std::size_t least_rays = 4096;                ///< that brute force answers
+    std::size_t sample_rays = 4096;               ///< that brute force answers
     std::uint64_t affordable_tests = 1000000000;  ///< primitives x rays up to which it answers all
+    std::uint64_t most_tests = 4000000000;        ///< from here on the sample is smaller, ...
+    std::size_t least_rays = 256;                 ///< ... but not smaller than this
     std::uint64_t seed = 1;
     TraceSettings trace;
 };

@@ -206,6 +206,7 @@ TEST(Bench, protocol_is_what_other_options_leave_open) {
     const Json document = measured.json();
     EXPECT_EQ(document["settings"]["protocol"], "speed");
     EXPECT_EQ(document["settings"]["repetitions"], 15);
+    EXPECT_EQ(document["streams"][0]["rays"], 16 * 16);
     ASSERT_GT(document["rows"].size(), 5u);
     EXPECT_EQ(document["rows"][0]["structure"], "bvh");
     EXPECT_EQ(document["rows"][0]["seconds_samples"].size(), 15u);

@@ -51,6 +51,10 @@ TEST_F(GateTest, brute_force_answers_all_rays_where_that_is_affordable) {
     GateSettings dear;
     dear.affordable_tests = 1;
     EXPECT_EQ(Gate(catalogue_, input_, stream_, dear).oracle_rays(), 4096u);
+    dear.most_tests = 1000 * input_.geometry.size();
+    EXPECT_EQ(Gate(catalogue_, input_, stream_, dear).oracle_rays(), 1000u);
+    dear.most_tests = 1;
+    EXPECT_EQ(Gate(catalogue_, input_, stream_, dear).oracle_rays(), 256u);
 }
 
 TEST_F(GateTest, a_sample_is_judged_like_the_whole) {

@@ -41,7 +41,7 @@ std::vector<int> times_met(const WideTree& tree, std::size_t primitives) {
             }
             for (std::uint32_t b = 0; b < child.leaf().block_count(); ++b)
                 for (const std::uint32_t number :
-                     tree.leaves.triangles(child.leaf().first_block() + b).primitive)
+                     tree.leaves.block<TriangleBlock>(child.leaf().first_block() + b).primitive)
                     if (number != no_primitive) ++met[number];
         }
     }
