@@ -7,8 +7,8 @@
 #include "accel/core/session.h"
 
 /// Bounding-volume hierarchy with eight children a node, tested at once. Coherent rays go together
-/// as packets; others one by one, or many in flight where the tree is larger than the caches, so
-/// that one ray's wait for memory is the others' time. See README.md.
+/// as packets; of the others many are in flight, so that one ray's wait for memory is the others'
+/// time. See README.md.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 struct Departures;
@@ -31,7 +31,7 @@ public:
                                                                     "bvh8:packets=off,flight=16",
                                                                     "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
-    /// Nodes that a beam meets before it is split: one of more than 16 rays, and one of fewer.
+    /// Nodes that a beam meets before it is given up: a packet's, and that of 16 of its rays.
     static constexpr int wide_steps = 12, narrow_steps = 40;
 
     struct Scratch {
@@ -39,7 +39,7 @@ public:
         Packet packet;
         Halts halts;
 
-        std::size_t bytes() const { return flights.size() * sizeof(Flight); }
+        std::size_t bytes() const { return sizeof(*this) + flights.size() * sizeof(Flight); }
     };
 
     Bvh8(const BuildInput& input, const Options& chosen);

@@ -134,8 +134,13 @@ template <Counter C>
 }
 
 /// Rules 3 and 4 of core/README.md for the lanes that are met.
+template <Counter C>
 inline void accept_lanes(const TriangleBlock& block, const BlockAnswer& answer, float t_min,
-                         Hit& hit) {
+                         Hit& hit, C& count) {
+    if constexpr (C::counts) {
+        count(Event::object_test, block.live());
+        count(Event::object_hit, static_cast<std::uint64_t>(std::popcount(answer.met)));
+    }
     for (std::uint32_t rest = answer.met; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
         accept({answer.t[lane], block.primitive[lane], answer.u[lane], answer.v[lane]}, t_min, hit);
@@ -147,11 +152,7 @@ template <Counter C>
 inline void test(const TriangleBlock& block, const TestRay& ray, float padding, Hit& hit,
                  C& count) {
     const BlockAnswer answer = intersect(block, ray, padding);
-    if constexpr (C::counts) {
-        count(Event::object_test, block.live());
-        count(Event::object_hit, static_cast<std::uint64_t>(std::popcount(answer.met)));
-    }
-    accept_lanes(block, answer, ray.t_min, hit);
+    accept_lanes(block, answer, ray.t_min, hit, count);
     for (std::uint32_t rest = answer.untrusted; rest != 0; rest &= rest - 1)
         [[unlikely]] test_in_double(block, static_cast<std::size_t>(std::countr_zero(rest)), ray,
                                     padding, hit, count);

@@ -169,12 +169,7 @@ inline BlockAnswer intersect_watertight(const TriangleBlock& block, const TestRa
 template <Counter C>
 inline void test_watertight(const TriangleBlock& block, const TestRay& ray, float padding, Hit& hit,
                             C& count) {
-    const BlockAnswer answer = intersect_watertight(block, ray, padding);
-    if constexpr (C::counts) {
-        count(Event::object_test, block.live());
-        count(Event::object_hit, static_cast<std::uint64_t>(std::popcount(answer.met)));
-    }
-    accept_lanes(block, answer, ray.t_min, hit);
+    accept_lanes(block, intersect_watertight(block, ray, padding), ray.t_min, hit, count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
