@@ -23,6 +23,7 @@ Bvh8::Bvh8(const BuildInput& input, const Options& chosen) {
                   .depth = static_cast<std::uint64_t>(tree.depth),
                   .bytes = nodes_.size() * sizeof(WideNode) + leaves_.bytes()};
     packets_ = chosen.flag("packets");
+    most_apart_ = input.geometry.bounds().size() * 0.125f;
     in_flight_ = static_cast<std::size_t>(chosen.integer("flight", 1, most_flights));
 }
 

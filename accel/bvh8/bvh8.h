@@ -1,8 +1,8 @@
 #pragma once
 
 #include "accel/bvh/builders.h"
+#include "accel/bvh8/group_walk.h"
 #include "accel/bvh8/halts.h"
-#include "accel/bvh8/packet.h"
 #include "accel/core/raw_array.h"
 #include "accel/core/session.h"
 
@@ -31,13 +31,14 @@ public:
                                                                     "bvh8:packets=off,flight=16",
                                                                     "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
-    /// Nodes that a beam meets before it is given up: a packet's, and that of 16 of its rays.
-    static constexpr int wide_steps = 12, narrow_steps = 40;
+    /// Nodes that the beam round a packet meets before its groups go on by themselves.
+    static constexpr int wide_steps = 24;
 
     struct Scratch {
         std::vector<Flight> flights = std::vector<Flight>(most_flights);
         Packet packet;
         Halts halts;
+        GroupWalk walk;
 
         std::size_t bytes() const { return sizeof(*this) + flights.size() * sizeof(Flight); }
     };
@@ -53,15 +54,14 @@ private:
     struct Part {
         std::span<const Ray> rays;
         std::size_t first = 0;  ///< place of the first one in the batch
-        /// Where a packet has brought them so far, if one has.
-        const Packet* packet = nullptr;
-        std::size_t first_of_packet = 0;
-        const Halts* left = nullptr;
     };
 
-    void start(Flight& flight, const Part& part, std::size_t i) const;
     template <Query Q, Counter C>
     void trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    void trace_strays(std::uint64_t strays, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    template <Query Q, class Next, Counter C>
+    void trace_flights(std::span<Flight> flights, Next&& next, Answers<Q>& answers, C& count) const;
     template <Query Q, Counter C>
     void trace_alone(Flight& flight, C& count) const;
     template <Query Q, Counter C>
@@ -69,10 +69,17 @@ private:
     template <Query Q, Counter C>
     void trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
-    bool follow(Packet& packet, Packet::Section section, int most_steps, Halts& halts,
-                C& count) const;
+    bool follow(Packet& packet, Halts& halts, C& count) const;
+    template <Query Q, Counter C>
+    void follow(Packet& packet, std::size_t group, GroupWalk& walk, C& count) const;
     template <Counter C>
-    void step(const Beam& beam, std::uint32_t number, Halts& halts, C& count) const;
+    void admit(const Packet& packet, std::size_t group, RaySet among, const WideNode& parent,
+               std::size_t place, float entry, GroupWalk& walk, C& count) const;
+    template <Counter C>
+    void set_out(const Packet& packet, std::size_t group, Scratch& scratch, C& count) const;
+    template <Counter C>
+    std::pair<Places, simd::Floats<WideNode::width>> step(const Beam& beam, const WideNode& node,
+                                                          C& count) const;
 
     struct Children;
     template <Counter C>
@@ -85,14 +92,13 @@ private:
     void visit_blocks(std::uint64_t& waiting, Departures& departures, Flight* flights,
                       C& count) const;
     template <Query Q, Counter C>
-    void visit_leaf(Packet& packet, Packet::Section section, const Halt& halt, C& count) const;
+    void visit_leaf(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const;
     template <Query Q, Precision P, Counter C>
-    void test_triangles(Packet& packet, std::size_t group, Packet::Mask active, PackedLeaf leaf,
-                        C& count) const;
+    void visit_triangles(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const;
     /// Whatever is not triangles in the standard precision; out of the way of those that are.
     template <Query Q, Counter C>
-    [[gnu::noinline]] void test_others(Packet& packet, std::size_t group, Packet::Mask active,
-                                       PackedLeaf leaf, C& count) const;
+    [[gnu::noinline]] void visit_others(Packet& packet, RaySet rays, PackedLeaf leaf,
+                                        C& count) const;
     void fetch(WideChild child) const;
     const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
 
@@ -100,6 +106,7 @@ private:
     PackedLeaves leaves_;
     std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
+    vec3 most_apart_;  ///< origins of the rays of a packet
     std::size_t in_flight_ = 1;
     Footprint footprint_;
 };
@@ -113,24 +120,12 @@ inline void Bvh8::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scra
     for (std::size_t i = 0; packets_ && i + Packet::group <= rays.size(); i += Packet::most) {
         const std::size_t whole_groups = (rays.size() - i) / Packet::group * Packet::group;
         const std::size_t together = std::min(Packet::most, whole_groups);
-        if (!packet.load(rays.subspan(i, together), leaves_.precision())) continue;
+        if (!packet.load(rays.subspan(i, together), leaves_.precision(), most_apart_)) continue;
         trace_each<Q>({rays.subspan(waiting, i - waiting), waiting}, answers, scratch, count);
         trace_together<Q>({rays.subspan(i, together), i}, answers, scratch, count);
         waiting = i + together;
     }
     trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
-}
-
-inline void Bvh8::start(Flight& flight, const Part& part, std::size_t i) const {
-    const Ray& ray = part.rays[i];
-    flight.start(ray, part.packet ? part.packet->hit(part.first_of_packet + i) : nothing_yet(ray),
-                 i, leaves_.precision());
-    if (part.left == nullptr) return;
-    for (std::size_t j = 0; j < part.left->size(); ++j) {
-        const auto [node, place, entry] = (*part.left)[j];
-        flight.stack.push(nodes_[node].child(place), entry);
-    }
-    flight.pop();
 }
 
 template <Query Q, Counter C>
@@ -139,7 +134,7 @@ inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scr
     if (in_flight_ > 1) return trace_in_flight<Q>(part, answers, scratch, count);
     Flight& flight = scratch.flights.front();
     for (std::size_t i = 0; i < part.rays.size(); ++i) {
-        start(flight, part, i);
+        flight.start(part.rays[i], i, leaves_.precision());
         trace_alone<Q>(flight, count);
         answers.store(part.first + i, flight.hit);
     }

@@ -93,8 +93,7 @@ struct alignas(64) Flight {
     std::uint32_t number = 0;            ///< of the ray in its batch
     Stack stack;
 
-    /// `best`: the nearest hit so far.
-    void start(const Ray& from, const Hit& best, std::size_t n, Precision precision) {
+    void start(const Ray& from, std::size_t n, Precision precision) {
         std::construct_at(&ray, from, precision);  // in place: a copy would wait for its stores
         origin = ray.origin;
         towards = -ray.inverse;
@@ -102,7 +101,7 @@ struct alignas(64) Flight {
             near[axis] = static_cast<std::uint32_t>(ray.near[axis] * WideNode::width);
             far[axis] = static_cast<std::uint32_t>(ray.far[axis] * WideNode::width);
         }
-        hit = best;
+        hit = nothing_yet(from);
         next = WideChild::node(0);
         number = static_cast<std::uint32_t>(n);
         stack.clear();

@@ -2,7 +2,7 @@
 
 #include "accel/bvh8/flight.h"
 
-/// What a packet has still to visit.
+/// What the beam round a packet has still to visit.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// A child of a node that a beam meets.
@@ -11,40 +11,30 @@ struct Halt {
     float entry;  ///< where the beam enters the child
 };
 
-/// A stack of halts, whose lower part can be set aside to be gone through several times.
+/// A stack of them.
 class Halts {
 public:
-    void clear() { size_ = set_aside_ = 0; }
-    bool empty() const { return size_ == set_aside_; }
-    std::size_t size() const { return size_ - set_aside_; }
-    /// Of those that are left; 0: the first one that was pushed.
+    void clear() { size_ = 0; }
+    bool empty() const { return size_ == 0; }
+    std::size_t size() const { return size_; }
+    /// 0: the first one that was pushed.
     Halt operator[](std::size_t i) const {
-        const std::uint32_t child = children_[set_aside_ + i];
-        return {child / width, child % width, entries_[set_aside_ + i]};
+        return {children_[i] / width, children_[i] % width, entries_[i]};
     }
-    Halt top() const { return (*this)[size() - 1]; }
-    void pop() { --size_; }
+    Halt top() const { return (*this)[size_ - 1]; }
+    void drop() { --size_; }
     /// The children of a node at some places, the nearest one on top, the others in
     /// any order. Without a branch: how many there are cannot be foretold.
     void push(std::uint32_t node, Places met, simd::Floats<8> entries);
 
-    /// Sets aside what is left, once.
-    void set_aside() { set_aside_ = size_; }
-    /// Everything that was set aside is left again, and nothing else.
-    void repeat() {
-        std::copy_n(children_.begin(), set_aside_, children_.begin() + set_aside_);
-        std::copy_n(entries_.begin(), set_aside_, entries_.begin() + set_aside_);
-        size_ = 2 * set_aside_;
-    }
-
 private:
     static constexpr std::uint32_t width = WideNode::width;
     /// A node leaves seven children behind at most; eight are written at once.
-    static constexpr std::size_t on_one_way = (width - 1) * Stack::deepest + width;
+    static constexpr std::size_t most = (width - 1) * Stack::deepest + width;
 
-    std::array<std::uint32_t, 3 * on_one_way> children_;  ///< node * width + place
-    std::array<float, 3 * on_one_way> entries_;
-    std::size_t size_ = 0, set_aside_ = 0;
+    std::array<std::uint32_t, most> children_;  ///< node * width + place
+    std::array<float, most> entries_;
+    std::size_t size_ = 0;
 };
 
 inline void Halts::push(std::uint32_t node, Places met, simd::Floats<8> entries) {

@@ -38,11 +38,6 @@ inline void go_down(Flight& flight) {
         simd::select(places != 0, crossing.node->child(nearest).bits(), left_behind.bits())));
 }
 
-/// Calls visit(number) for each number in a set.
-inline void for_each(std::uint64_t set, auto&& visit) {
-    for (; set != 0; set &= set - 1) visit(static_cast<std::size_t>(std::countr_zero(set)));
-}
-
 /// Flights, a bit each, by what they come to next. Not lists: what is read from a list would have
 /// to wait until it is known that nothing writes there.
 struct Departures {
@@ -81,7 +76,7 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
     std::size_t started = 0;
     const auto start_next = [&](std::size_t number) {
         if (started == part.rays.size()) return;
-        start(flights[number], part, started);
+        flights[number].start(part.rays[started], started, leaves_.precision());
         departures.add(number, flights[number].next);
         ++started;
     };

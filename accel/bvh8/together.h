@@ -3,119 +3,146 @@
 #include "accel/bvh8/bvh8.h"
 
 /// A packet goes through the tree as one beam (Reshetov, Soupikov & Hurley 2005); only leaves tell
-/// its rays apart. A beam that meets many nodes is wider than what it sees is large: then sections
-/// of the packet go on from where it came to as narrower beams, and at last each ray alone.
+/// its rays apart. A beam that meets many nodes is wider than what it sees is large: then each
+/// group of the packet goes on from where it came to, and knows of each child which of its rays
+/// enter it.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 template <Query Q, Counter C>
 inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch,
                                  C& count) const {
-    constexpr std::size_t narrow = std::max<std::size_t>(1, 16 / Packet::group);  // groups
     Packet& packet = scratch.packet;
-    Halts& halts = scratch.halts;
-    const auto store = [&](Packet::Section section) {
-        for (std::size_t i = section.first_ray(); i < section.end_ray(); ++i)
-            answers.store(part.first + i, packet.hit(i));
-    };
-    const Packet::Section all = packet.all();
-    halts.clear();
-    step(packet.beam(all), 0, halts, count);
-    if (follow<Q>(packet, all, wide_steps, halts, count)) return store(all);
-    halts.set_aside();
-    for (std::size_t first = 0; first < all.count; first += narrow) {
-        const Packet::Section section{first, std::min(narrow, all.count - first)};
-        halts.repeat();
-        if (follow<Q>(packet, section, narrow_steps, halts, count)) {
-            store(section);
-        } else {
-            const std::span<const Ray> rays =
-                part.rays.subspan(section.first_ray(), section.end_ray() - section.first_ray());
-            trace_each<Q>(
-                {rays, part.first + section.first_ray(), &packet, section.first_ray(), &halts},
-                answers, scratch, count);
+    if (!follow<Q>(packet, scratch.halts, count))
+        for (std::size_t group = 0; group < packet.groups(); ++group) {
+            set_out(packet, group, scratch, count);
+            follow<Q>(packet, group, scratch.walk, count);
         }
-    }
+    for (std::size_t i = 0; i < part.rays.size(); ++i) answers.store(part.first + i, packet.hit(i));
 }
 
-/// Whether the beam came to the end of its halts in so many steps.
+/// Whether the beam of the whole packet came to the end of its halts in so few steps.
 template <Query Q, Counter C>
-inline bool Bvh8::follow(Packet& packet, Packet::Section section, int most_steps, Halts& halts,
-                         C& count) const {
-    Beam beam = packet.beam(section);
-    while (!halts.empty()) {
+inline bool Bvh8::follow(Packet& packet, Halts& halts, C& count) const {
+    Beam beam = packet.beam(packet.all());
+    const auto enter = [&](std::uint32_t number) {
+        const auto [met, entries] = step(beam, nodes_[number], count);
+        halts.push(number, met, entries);
+        if (halts.size() < 2) return;
+        const Halt then = halts[halts.size() - 2];
+        fetch(nodes_[then.node].child(then.place));
+    };
+    halts.clear();
+    enter(0);
+    for (int steps_left = wide_steps; !halts.empty();) {
         const Halt halt = halts.top();
-        if (halt.entry > beam.nearest) {
-            halts.pop();
+        const WideNode& parent = nodes_[halt.node];
+        const WideChild child = parent.child(halt.place);
+        const bool reached = halt.entry <= beam.nearest;
+        if (reached && child.interior() && steps_left-- == 0) return false;
+        halts.drop();
+        if (!reached) continue;
+        if (child.interior()) {
+            enter(child.number());
             continue;
         }
-        const WideChild child = nodes_[halt.node].child(halt.place);
-        if (!child.interior()) {
-            halts.pop();
-            visit_leaf<Q>(packet, section, halt, count);
-            beam.nearest = packet.reach(section);
-        } else if (most_steps-- > 0) {
-            halts.pop();
-            step(beam, child.number(), halts, count);
-        } else {
-            return false;
+        RaySet rays = 0;
+        for (std::size_t group = 0; group < packet.groups(); ++group) {
+            if constexpr (C::counts) count(Event::bounding_volume_test, Packet::group);
+            rays |= packet.enter(group, parent.bounds, halt.place) << group * Packet::group;
         }
+        visit_leaf<Q>(packet, rays, child.leaf(), count);
+        beam.nearest = packet.reach(packet.all());
     }
     return true;
 }
 
-/// The children that the beam meets become halts.
+/// What the packet's beam has still to visit, by the rays of one group.
 template <Counter C>
-inline void Bvh8::step(const Beam& beam, std::uint32_t number, Halts& halts, C& count) const {
-    const WideNode& node = nodes_[number];
+inline void Bvh8::set_out(const Packet& packet, std::size_t group, Scratch& scratch,
+                          C& count) const {
+    scratch.walk.clear();
+    for (std::size_t i = 0; i < scratch.halts.size(); ++i) {
+        const auto [node, place, entry] = scratch.halts[i];
+        admit(packet, group, Packet::everyone, nodes_[node], place, entry, scratch.walk, count);
+    }
+}
+
+/// To the end of the walk.
+template <Query Q, Counter C>
+inline void Bvh8::follow(Packet& packet, std::size_t group, GroupWalk& walk, C& count) const {
+    const Packet::Section section{group, 1};
+    Beam beam = packet.beam(section);
+    while (!walk.empty()) {
+        const auto [child, rays, entry] = walk.pop();
+        if (entry > beam.nearest) continue;
+        if (!child.interior()) {
+            visit_leaf<Q>(packet, rays << group * Packet::group, child.leaf(), count);
+            beam.nearest = packet.reach(section);
+            continue;
+        }
+        const WideNode& node = node_at(child);
+        const auto [met, entries] = step(beam, node, count);
+        alignas(32) std::array<float, WideNode::width> entry_of;
+        simd::hn::Store(entries, simd::floats<WideNode::width>, entry_of.data());
+        const std::uint32_t nearest = nearest_of(met, entries);
+        const std::uint32_t places = simd::bits(simd::floats<WideNode::width>, met);
+        const auto enter = [&](std::size_t place) {
+            admit(packet, group, rays, node, place, entry_of[place], walk, count);
+        };
+        for_each(places & ~(1u << nearest), enter);
+        for_each(places & 1u << nearest, enter);
+    }
+}
+
+/// The rays of a group, among some, that enter a child are to visit it.
+template <Counter C>
+inline void Bvh8::admit(const Packet& packet, std::size_t group, RaySet among,
+                        const WideNode& parent, std::size_t place, float entry, GroupWalk& walk,
+                        C& count) const {
+    if constexpr (C::counts)
+        count(Event::bounding_volume_test, static_cast<std::uint64_t>(std::popcount(among)));
+    const WideChild child = parent.child(place);
+    fetch(child);
+    walk.admit(child, among & packet.enter(group, parent.bounds, place), entry);
+}
+
+/// The children that a beam meets, and where.
+template <Counter C>
+inline std::pair<Places, simd::Floats<WideNode::width>> Bvh8::step(const Beam& beam,
+                                                                   const WideNode& node,
+                                                                   C& count) const {
     count(Event::step);
     if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
     const auto [entry, exit] = beam.clip(node.bounds);
-    halts.push(number, simd::hn::Le(entry, exit), entry);
-    if (halts.size() > 1) {
-        const Halt then = halts[halts.size() - 2];
-        fetch(nodes_[then.node].child(then.place));
-    }
+    return {simd::hn::Le(entry, exit), entry};
 }
 
 template <Query Q, Counter C>
-inline void Bvh8::visit_leaf(Packet& packet, Packet::Section section, const Halt& halt,
-                             C& count) const {
-    using namespace simd;
-    const WideNode& parent = nodes_[halt.node];
-    const PackedLeaf leaf = parent.child(halt.place).leaf();
-    for (std::size_t group = section.first; group < section.end(); ++group) {
-        const Packet::Mask active = packet.meets(group, parent.bounds, halt.place);
-        if constexpr (C::counts) {
-            count(Event::bounding_volume_test, Packet::group);
-            count(Event::cell, hn::CountTrue(floats<Packet::group>, active));
-        }
-        if (hn::AllFalse(floats<Packet::group>, active)) continue;
-        if (leaf.only_triangles() && leaves_.precision() == Precision::standard) [[likely]]
-            test_triangles<Q, Precision::standard>(packet, group, active, leaf, count);
-        else test_others<Q>(packet, group, active, leaf, count);
-    }
-}
-
-template <Query Q, Precision P, Counter C>
-inline void Bvh8::test_triangles(Packet& packet, std::size_t group, Packet::Mask active,
-                                 PackedLeaf leaf, C& count) const {
-    for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-        packet.test<Q, P>(group, active, leaves_.block<TriangleBlock>(leaf.first_block() + i),
-                          leaves_.padding(), count);
+inline void Bvh8::visit_leaf(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const {
+    if constexpr (C::counts) count(Event::cell, static_cast<std::uint64_t>(std::popcount(rays)));
+    if (leaf.only_triangles() && leaves_.precision() == Precision::standard) [[likely]]
+        visit_triangles<Q, Precision::standard>(packet, rays, leaf, count);
+    else visit_others<Q>(packet, rays, leaf, count);
 }
 
 template <Query Q, Counter C>
-void Bvh8::test_others(Packet& packet, std::size_t group, Packet::Mask active, PackedLeaf leaf,
-                       C& count) const {
+void Bvh8::visit_others(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const {
     if (leaf.is_mixed())
-        return packet.test_each<Q>(group, active, [&](const TestRay& ray, Hit& hit) {
+        return packet.test_each<Q>(rays, [&](const TestRay& ray, Hit& hit) {
             leaves_.template test<Q>(leaf, ray, hit, count);
         });
     if (leaf.only_triangles())
-        return test_triangles<Q, Precision::watertight>(packet, group, active, leaf, count);
+        return visit_triangles<Q, Precision::watertight>(packet, rays, leaf, count);
     for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-        packet.test<Q>(group, active, leaves_.block<SphereBlock>(leaf.first_block() + i),
-                       leaves_.padding(), count);
+        packet.test<Q>(rays, leaves_.block<SphereBlock>(leaf.first_block() + i), leaves_.padding(),
+                       count);
+}
+
+template <Query Q, Precision P, Counter C>
+inline void Bvh8::visit_triangles(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const {
+    for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
+        packet.test<Q, P>(rays, leaves_.block<TriangleBlock>(leaf.first_block() + i),
+                          leaves_.padding(), count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

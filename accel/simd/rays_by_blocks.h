@@ -3,8 +3,7 @@
 #include "accel/simd/sphere_block.h"
 #include "accel/simd/watertight_block.h"
 
-/// Several rays at once, each against a block of its own, without a branch: whether a ray hits
-/// cannot be foretold, and a wrong guess costs as much as the test.
+/// Several rays at once, each against a block of its own or all against the same.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// As many as fill a register.
@@ -40,13 +39,13 @@ inline V load(At&& at) {
     else return hn::Combine(tag, two(2), two(0));
 }
 
-/// The numbers of each ray's primitives, from one lane of the block on.
-template <class Block>
-inline simd::Words<lanes> numbers(const RaysAndBlocks<Block>& pairs, std::size_t first) {
-    return simd::hn::BitCast(
-        word, load([&](std::size_t i) {
-            return reinterpret_cast<const float*>(&pairs[i].block->primitive[first]);
-        }));
+/// The same four values for each ray.
+inline V repeat(const float* at) { return simd::hn::LoadDup128(tag, at); }
+
+/// `as_numbers`: of primitives, as a load or repeat gives them.
+inline simd::Words<lanes> as_numbers(V loaded) { return simd::hn::BitCast(word, loaded); }
+inline const float* numbers_from(const std::uint32_t& first) {
+    return reinterpret_cast<const float*>(&first);
 }
 
 /// Whatever has no pair of its own is given one that nothing comes of.
@@ -82,10 +81,10 @@ inline V chosen(decltype(simd::hn::Lt(V{}, V{})) mask, V v) {
 
 /// Rules 3 and 4 of core/README.md for each ray: the nearest primitive that is met, of equally near
 /// ones that with the smallest number, if it comes before the ray's hit so far. `u` and `v` are of
-/// every lane.
-template <class Block>
-inline void accept_nearest(const RaysAndBlocks<Block>& pairs, simd::Words<quads::lanes> numbers,
-                           quads::V t_min, const WideHit<quads::V>& hit, quads::V u, quads::V v) {
+/// every lane; hit_of(i) is the ray's hit so far.
+template <class HitOf>
+inline void accept_nearest(HitOf&& hit_of, simd::Words<quads::lanes> numbers, quads::V t_min,
+                           const WideHit<quads::V>& hit, quads::V u, quads::V v) {
     using namespace simd;
     using quads::tag, quads::word, quads::V;
     const auto eligible = hn::And(hit.met, hn::Gt(hit.t, t_min));
@@ -94,7 +93,7 @@ inline void accept_nearest(const RaysAndBlocks<Block>& pairs, simd::Words<quads:
     const auto number = quads::least(
         hn::IfThenElse(hn::RebindMask(word, tied), numbers, hn::Set(word, no_primitive)));
     const auto nearest = hn::And(tied, hn::RebindMask(tag, hn::Eq(number, numbers)));
-    const V before = quads::load([&](std::size_t i) { return &pairs[i].hit->t; });
+    const V before = quads::load([&](std::size_t i) { return &hit_of(i).t; });
     const V t_before = hn::Broadcast<0>(before);
     const auto number_before = hn::BitCast(word, hn::Broadcast<1>(before));
     const auto smaller_number = hn::RebindMask(tag, hn::Lt(number, number_before));
@@ -110,12 +109,12 @@ inline void accept_nearest(const RaysAndBlocks<Block>& pairs, simd::Words<quads:
                                                                  quads::chosen(nearest, v))));
     alignas(64) std::array<Hit, rays_by_blocks> hits;
     hn::Store(hn::IfThenElse(accepted, found, before), tag, &hits[0].t);
-    for (std::size_t i = 0; i < pairs.size(); ++i) *pairs[i].hit = hits[i];
+    for (std::size_t i = 0; i < hits.size(); ++i) hit_of(i) = hits[i];
 }
 
 /// The rays, each in all lanes of its quad.
 struct QuadsOfRays {
-    simd::Vectors<quads::V> origin, direction, inverse;
+    simd::Vectors<quads::V> origin, direction;
     quads::V direction_size, t_min;
 
     template <class Block>
@@ -128,106 +127,216 @@ struct QuadsOfRays {
         const quads::V sizes = load([](const TestRay& ray) { return &ray.direction_size; });
         origin = quads::vectors(load([](const TestRay& ray) { return &ray.origin.x; }));
         direction = quads::vectors(directions);
-        inverse = quads::vectors(load([](const TestRay& ray) { return &ray.inverse.x; }));
         direction_size = hn::Broadcast<0>(sizes);
         t_min = hn::Broadcast<1>(sizes);  // it follows the size
     }
+    explicit QuadsOfRays(const std::array<const Ray*, rays_by_blocks>& rays) {
+        using namespace simd;
+        static_assert(offsetof(Ray, t_min) == 12 && offsetof(Ray, t_max) == 28);
+        const quads::V origins = quads::load([&](std::size_t i) { return &rays[i]->origin.x; });
+        const quads::V directions =
+            quads::load([&](std::size_t i) { return &rays[i]->direction.x; });
+        origin = quads::vectors(origins);
+        direction = quads::vectors(directions);
+        direction_size = taxicab(direction);
+        t_min = hn::Broadcast<3>(origins);
+    }
+    /// Of the direction; seldom needed.
+    simd::Vectors<quads::V> inverse() const {
+        using namespace simd;
+        const quads::V one = hn::Set(quads::tag, 1.0f);
+        return {hn::Div(one, direction.x), hn::Div(one, direction.y), hn::Div(one, direction.z)};
+    }
 };
 
-/// For the first `size` of them what test() of triangle_block.h does, or test_watertight(): the
-/// same bits.
-template <Precision P, Counter C>
-inline void test(RaysAndBlocks<TriangleBlock>& pairs, std::size_t size, float padding, C& count) {
+/// Four triangles for each ray.
+struct QuadsOfTriangles {
+    simd::Vectors<quads::V> a, b, c;
+    simd::Words<quads::lanes> numbers;
+
+    /// Each ray's own.
+    explicit QuadsOfTriangles(const RaysAndBlocks<TriangleBlock>& pairs)
+        : QuadsOfTriangles([&](auto&& row) {
+              return quads::load([&](std::size_t i) { return row(*pairs[i].block); });
+          }) {}
+    /// The same for all.
+    explicit QuadsOfTriangles(const TriangleBlock& block)
+        : QuadsOfTriangles([&](auto&& row) { return quads::repeat(row(block)); }) {}
+
+    auto live() const {
+        using namespace simd;
+        return hn::RebindMask(quads::tag, hn::Ne(numbers, hn::Set(quads::word, no_primitive)));
+    }
+
+private:
+    template <class Load>
+    requires std::invocable<Load, const float* (*)(const TriangleBlock&)>
+    explicit QuadsOfTriangles(Load&& load) {
+        const auto corner = [&](std::size_t row) {
+            return load([row](const TriangleBlock& block) { return block.corner[row].data(); });
+        };
+        a = {corner(0), corner(1), corner(2)};
+        b = {corner(3), corner(4), corner(5)};
+        c = {corner(6), corner(7), corner(8)};
+        numbers = quads::as_numbers(load(
+            [](const TriangleBlock& block) { return quads::numbers_from(block.primitive[0]); }));
+    }
+};
+
+/// Four spheres for each ray, from one lane of the block on.
+struct QuadsOfSpheres {
+    simd::Vectors<quads::V> centre;
+    quads::V radius;
+    simd::Words<quads::lanes> numbers;
+
+    /// Each ray's own.
+    QuadsOfSpheres(const RaysAndBlocks<SphereBlock>& pairs, std::size_t first)
+        : QuadsOfSpheres(first, [&](auto&& row) {
+              return quads::load([&](std::size_t i) { return row(*pairs[i].block); });
+          }) {}
+    /// The same for all.
+    QuadsOfSpheres(const SphereBlock& block, std::size_t first)
+        : QuadsOfSpheres(first, [&](auto&& row) { return quads::repeat(row(block)); }) {}
+
+    auto live() const {
+        using namespace simd;
+        return hn::RebindMask(quads::tag, hn::Ne(numbers, hn::Set(quads::word, no_primitive)));
+    }
+
+private:
+    template <class Load>
+    QuadsOfSpheres(std::size_t first, Load&& load) {
+        const auto coordinate = [&](std::size_t axis) {
+            return load([=](const SphereBlock& block) { return &block.centre[axis][first]; });
+        };
+        centre = {coordinate(0), coordinate(1), coordinate(2)};
+        radius = load([=](const SphereBlock& block) { return &block.radius[first]; });
+        numbers = quads::as_numbers(load(
+            [=](const SphereBlock& block) { return quads::numbers_from(block.primitive[first]); }));
+    }
+};
+
+/// What to do where none of the rays meets anything: leave at once, or go on, because a branch that
+/// is guessed wrongly costs as much.
+enum class Misses { leave, go_on };
+
+/// Tests each ray against its four triangles as test() of triangle_block.h does, or
+/// test_watertight(): the same bits. Only the first `size` rays count, but all are given hits.
+/// `in_double(ray, lane)`: for what float cannot decide. Returns whether a ray's line met any.
+template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
+[[gnu::always_inline]] inline bool test(const QuadsOfTriangles& triangles, const QuadsOfRays& rays,
+                                        std::size_t size, HitOf&& hit_of, InDouble&& in_double,
+                                        float padding, C& count) {
     using namespace simd;
-    using quads::tag, quads::word, quads::V;
-    Hit nobody;
-    quads::fill(pairs, size, nobody);
-    const auto corner = [&](std::size_t row) {
-        return quads::load([&](std::size_t i) { return pairs[i].block->corner[row].data(); });
+    using quads::tag, quads::V;
+    const auto& [a, b, c, numbers] = triangles;
+    const std::uint32_t counted = (1u << 4 * size) - 1;
+    const auto live = triangles.live();
+    const auto count_lanes = [&](Event event, auto mask) {
+        if constexpr (C::counts)
+            count(event, static_cast<std::uint64_t>(std::popcount(bits(tag, mask) & counted)));
     };
-    const Vectors<V> a{corner(0), corner(1), corner(2)}, b{corner(3), corner(4), corner(5)},
-        c{corner(6), corner(7), corner(8)};
-    const QuadsOfRays rays(pairs);
-    const auto numbers = quads::numbers(pairs, 0);
-    const auto live = hn::RebindMask(tag, hn::Ne(numbers, hn::Set(word, no_primitive)));
-    if constexpr (C::counts) count(Event::object_test, hn::CountTrue(tag, live));
-    const auto offer = [&](V t, V u, V v, auto inside) {
+    count_lanes(Event::object_test, live);
+    const auto offer = [&](V t, V u, V v, auto inside) __attribute__((always_inline)) {
         const auto hit = clamped<V>({t, inside}, a, triangle_bounds(a, b, c), rays.origin,
-                                    rays.inverse, padding);
-        if constexpr (C::counts) count(Event::object_hit, hn::CountTrue(tag, hit.met));
-        accept_nearest(pairs, numbers, rays.t_min, hit, u, v);
+                                    rays.inverse(), padding);
+        count_lanes(Event::object_hit, hit.met);
+        accept_nearest(hit_of, numbers, rays.t_min, hit, u, v);
     };
     if constexpr (P == Precision::watertight) {
         const WideShear<V> shear(rays.direction);
         const WideEdges<V> edges(shear.turned(a - rays.origin), shear.turned(b - rays.origin),
                                  shear.turned(c - rays.origin), shear.along_x, shear.along_y);
-        const auto at = edges.exact(shear.direction_z);
         const auto left = hn::AndNot(edges.outside(), live);
+        if (M == Misses::leave && hn::AllFalse(tag, left)) return false;
+        const auto at = edges.exact(shear.direction_z);
         offer(at.t, at.u, at.v, hn::And(left, hn::Eq(at.t, at.t)));
     } else {
         const Vectors<V> e1 = b - a, e2 = c - a;
         const WideSums<V> sums(a, e1, e2, rays.origin, rays.direction);
         const V sizes = hn::Mul(taxicab(e1), taxicab(e2));
         const auto trusted = sums.trusted(hn::Mul(sizes, rays.direction_size));
+        const auto inside = hn::And(trusted, sums.inside());
+        const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, live)) & counted;
+        if (M == Misses::leave && hn::AllFalse(tag, inside) && untrusted == 0) return false;
         offer(hn::Div(sums.t, sums.det), hn::Div(sums.u, sums.det), hn::Div(sums.v, sums.det),
-              hn::And(trusted, sums.inside()));
-        const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, live));
+              inside);
         for (std::uint32_t rest = untrusted; rest != 0; rest &= rest - 1) [[unlikely]] {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-                const auto& pair = pairs[lane / 4];
-                test_in_double(*pair.block, lane % 4, *pair.ray, padding, *pair.hit, count);
+                in_double(lane / 4, lane % 4);
             }
     }
+    return true;
 }
 
-/// Four spheres of each block, from one lane on.
-template <Counter C>
-inline void test_spheres(const RaysAndBlocks<SphereBlock>& pairs, std::size_t first, float padding,
-                         C& count) {
+/// Or against its four spheres, as test() of sphere_block.h does; `in_double` likewise.
+template <Misses M, class HitOf, class InDouble, Counter C>
+[[gnu::always_inline]] inline bool test(const QuadsOfSpheres& spheres, const QuadsOfRays& rays,
+                                        std::size_t size, HitOf&& hit_of, InDouble&& in_double,
+                                        float padding, C& count) {
     using namespace simd;
-    using quads::tag, quads::word, quads::V;
-    const auto values = [&](auto&& row) {
-        return quads::load([&](std::size_t i) { return &row(*pairs[i].block)[first]; });
+    using quads::tag, quads::V;
+    const std::uint32_t counted = (1u << 4 * size) - 1;
+    const auto count_lanes = [&](Event event, auto mask) {
+        if constexpr (C::counts)
+            count(event, static_cast<std::uint64_t>(std::popcount(bits(tag, mask) & counted)));
     };
-    const auto coordinates = [&](std::size_t axis) {
-        return values([&](const SphereBlock& block) -> auto& { return block.centre[axis]; });
-    };
-    const Vectors<V> centre{coordinates(0), coordinates(1), coordinates(2)};
-    const V radius = values([](const SphereBlock& block) -> auto& { return block.radius; });
-    const QuadsOfRays rays(pairs);
-    const auto numbers = quads::numbers(pairs, first);
-    const auto live = hn::RebindMask(tag, hn::Ne(numbers, hn::Set(word, no_primitive)));
-    const WideRoots<V> sphere(centre, radius, rays.origin, rays.direction);
-    const auto trusted = sphere.trusted(rays.direction_size);
-    const auto [t, met] = clamped<V>({sphere.roots(), hn::And(trusted, sphere.met())}, centre,
-                                     radius, rays.origin, rays.inverse, padding);
-    if constexpr (C::counts) {
-        count(Event::object_test, hn::CountTrue(tag, live));
-        count(Event::object_hit, hn::CountTrue(tag, met));
-    }
+    const auto live = spheres.live();
+    count_lanes(Event::object_test, live);
+    const WideRoots<V> roots(spheres.centre, spheres.radius, rays.origin, rays.direction);
+    const auto trusted = roots.trusted(rays.direction_size);
+    const auto inside = hn::And(trusted, roots.met());
+    const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, live)) & counted;
+    if (M == Misses::leave && hn::AllFalse(tag, inside) && untrusted == 0) return false;
+    const auto [t, met] = clamped<V>({roots.roots(), inside}, spheres.centre, spheres.radius,
+                                     rays.origin, rays.inverse(), padding);
+    count_lanes(Event::object_hit, met);
     // The second root only where it comes before the first, or where the first does not count.
     const auto first_counts = hn::And(hn::Gt(t[0], rays.t_min), hn::Le(t[0], t[1]));
     const auto second = hn::AndNot(first_counts, hn::Gt(t[1], rays.t_min));
-    accept_nearest(pairs, numbers, rays.t_min, {hn::IfThenElse(second, t[1], t[0]), met},
+    accept_nearest(hit_of, spheres.numbers, rays.t_min, {hn::IfThenElse(second, t[1], t[0]), met},
                    hn::Zero(tag), hn::Zero(tag));
-    const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, live));
     for (std::uint32_t rest = untrusted; rest != 0; rest &= rest - 1) [[unlikely]] {
             const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-            const auto& pair = pairs[lane / 4];
-            test_untrusted(*pair.block, 1u << (first + lane % 4), *pair.ray, padding, *pair.hit,
-                           count);
+            in_double(lane / 4, lane % 4);
         }
+    return true;
 }
 
-/// For the first `size` of them what test() of sphere_block.h does: the same bits.
+/// For the first `size` of them what test() of triangle_block.h does, or test_watertight().
+template <Precision P, Counter C>
+inline void test(RaysAndBlocks<TriangleBlock>& pairs, std::size_t size, float padding, C& count) {
+    Hit nobody;
+    quads::fill(pairs, size, nobody);
+    test<P, Misses::go_on>(
+        QuadsOfTriangles(pairs), QuadsOfRays(pairs), size,
+        [&](std::size_t i) -> Hit& { return *pairs[i].hit; },
+        [&](std::size_t i, std::size_t lane) {
+            test_in_double(*pairs[i].block, lane, *pairs[i].ray, padding, *pairs[i].hit, count);
+        },
+        padding, count);
+}
+
+/// For the first `size` of them what test() of sphere_block.h does.
 template <Counter C>
 inline void test(RaysAndBlocks<SphereBlock>& pairs, std::size_t size, float padding, C& count) {
     Hit nobody;
     quads::fill(pairs, size, nobody);
-    test_spheres(pairs, 0, padding, count);
-    bool more = false;
-    for (const auto& pair : pairs) more |= pair.block->primitive[4] != no_primitive;
-    if (more) test_spheres(pairs, 4, padding, count);
+    const QuadsOfRays rays(pairs);
+    bool more = true;
+    for (std::size_t first = 0; more; first += 4) {
+        test<Misses::go_on>(
+            QuadsOfSpheres(pairs, first), rays, size,
+            [&](std::size_t i) -> Hit& { return *pairs[i].hit; },
+            [&](std::size_t i, std::size_t lane) {
+                test_untrusted(*pairs[i].block, 1u << (first + lane), *pairs[i].ray, padding,
+                               *pairs[i].hit, count);
+            },
+            padding, count);
+        more = false;
+        if (first == 0)
+            for (const auto& pair : pairs) more |= pair.block->primitive[4] != no_primitive;
+    }
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -78,9 +78,11 @@ inline WideInterval<V> clip(const simd::Vectors<V>& origin, const simd::Vectors<
 /// theirs instead of their largest coordinate. They nest in the padded ones, so the interval does,
 /// exactly: nearly every t lies in it, and then there is nothing to clamp.
 template <class V>
-inline WideInterval<V> inner_interval(const simd::Vectors<V>& point, const WidePlanes<V>& bounds,
-                                      const simd::Vectors<V>& origin,
-                                      const simd::Vectors<V>& inverse, float padding) {
+[[gnu::always_inline]] inline WideInterval<V> inner_interval(const simd::Vectors<V>& point,
+                                                             const WidePlanes<V>& bounds,
+                                                             const simd::Vectors<V>& origin,
+                                                             const simd::Vectors<V>& inverse,
+                                                             float padding) {
     using namespace simd;
     constexpr hn::DFromV<V> tag;
     const V largest = hn::Max(hn::Max(hn::Abs(point.x), hn::Abs(point.y)), hn::Abs(point.z));
@@ -126,7 +128,10 @@ template <class V>
     const auto as_it_is = inner_interval(corner, bounds, origin, inverse, padding).contains(hit.t);
     if (hn::AllFalse(tag, hn::AndNot(as_it_is, hit.met))) [[likely]]
         return hit;
-    return clamped_exactly(hit, bounds, origin, inverse, padding);
+    // Copies: what is handed over by its address lies in memory all the time.
+    const WidePlanes<V> planes = bounds;
+    const Vectors<V> from = origin, scale = inverse;
+    return clamped_exactly<V>(hit, planes, from, scale, padding);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "accel/bvh8/flight.h"
+#include "accel/bvh8/packet.h"
+
+/// What a group of a packet's rays has still to visit, and which of them.
+namespace rayshoot::inline RAYSHOOT_ISA {
+
+/// A child that some of a group's rays enter.
+struct GroupHalt {
+    WideChild child;
+    RaySet rays;
+    float entry;  ///< of the group's beam
+};
+
+/// A stack of them.
+class GroupWalk {
+public:
+    void clear() { size_ = 0; }
+    bool empty() const { return size_ == 0; }
+    GroupHalt pop() {
+        --size_;
+        return {WideChild::from(children_[size_]), rays_[size_], entries_[size_]};
+    }
+    /// Takes in a child if any ray enters it. Without a branch: how many do cannot be foretold.
+    void admit(WideChild child, RaySet rays, float entry) {
+        children_[size_] = child.bits();
+        rays_[size_] = static_cast<std::uint32_t>(rays);
+        entries_[size_] = entry;
+        size_ += rays != 0;
+    }
+
+private:
+    static constexpr std::size_t width = WideNode::width;
+    /// Those that the packet's beam had still to visit, and seven more on each level.
+    static constexpr std::size_t most = 2 * ((width - 1) * Stack::deepest + width);
+
+    std::array<std::uint32_t, most> children_, rays_;
+    std::array<float, most> entries_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace rayshoot::inline RAYSHOOT_ISA
