@@ -20,11 +20,11 @@ struct Beam {
     float nearest = -infinity;             ///< farthest of the nearest hits so far
 
     /// The least entry and the largest exit of any ray for each box.
-    template <std::size_t Width>
-    auto clip(const Boxes<Width>& boxes) const {
+    template <class Bounds>
+    auto clip(const Bounds& boxes) const {
         using namespace simd;
-        constexpr auto tag = floats<Width>;
-        auto entry = hn::Set(tag, t_min), exit = hn::Set(tag, nearest);
+        constexpr auto tag = floats<Bounds::width>;
+        auto entry = hn::Set(tag, t_min), exit = limit(boxes, nearest);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const int i = static_cast<int>(axis);
             const bool descending = near[axis] > far[axis];
@@ -32,8 +32,8 @@ struct Beam {
             // The origin from which a plane is met first, and the one from which it is met last.
             const auto first = hn::Set(tag, descending ? origin_lo[i] : origin_hi[i]);
             const auto last = hn::Set(tag, descending ? origin_hi[i] : origin_lo[i]);
-            const auto to_near = hn::Sub(hn::Load(tag, boxes.planes[near[axis]].data()), first);
-            const auto to_far = hn::Sub(hn::Load(tag, boxes.planes[far[axis]].data()), last);
+            const auto to_near = hn::Sub(row(boxes, axis, near[axis] * Bounds::width), first);
+            const auto to_far = hn::Sub(row(boxes, axis, far[axis] * Bounds::width), last);
             entry = larger(least(hn::Mul(to_near, lo), hn::Mul(to_near, hi)), entry);
             exit = smaller(most(hn::Mul(to_far, lo), hn::Mul(to_far, hi)), exit);
         }
@@ -80,8 +80,8 @@ public:
     /// The farthest of a section's nearest hits so far.
     float reach(Section section) const;
     /// The rays of a group that meet one of several boxes before their nearest hit.
-    template <std::size_t Width>
-    Mask meets(std::size_t group, const Boxes<Width>& boxes, std::size_t box) const;
+    template <class Bounds>
+    Mask meets(std::size_t group, const Bounds& boxes, std::size_t box) const;
     /// Tests the rays of a group against every triangle of a block; P: the packet's precision.
     template <Query Q, Precision P, Counter C>
     void test(std::size_t group, Mask active, const TriangleBlock& block, float padding, C& count);
@@ -234,18 +234,18 @@ inline float Packet::reach(Section section) const {
     return simd::hn::GetLane(simd::hn::MaxOfLanes(simd::floats<group>, farthest));
 }
 
-template <std::size_t Width>
-inline Packet::Mask Packet::meets(std::size_t g, const Boxes<Width>& boxes, std::size_t box) const {
+template <class Bounds>
+inline Packet::Mask Packet::meets(std::size_t g, const Bounds& boxes, std::size_t box) const {
     using namespace simd;
     const std::size_t first = g * group;
     const auto origin = origin_.from(first), inverse = inverse_.from(first);
     V entry = row(t_min_, first), exit = row(t_, first);
     const auto narrow = [&](std::size_t axis, V from, V scale) {
-        const auto plane = [&](std::size_t i) {
-            return hn::Set(floats<group>, boxes.planes[i][box]);
+        const auto at = [&](std::size_t place) {
+            return hn::Set(floats<group>, plane(boxes, axis, place, box));
         };
-        entry = larger(hn::Mul(hn::Sub(plane(near_[axis]), from), scale), entry);
-        exit = smaller(hn::Mul(hn::Sub(plane(far_[axis]), from), scale), exit);
+        entry = larger(hn::Mul(hn::Sub(at(near_[axis]), from), scale), entry);
+        exit = smaller(hn::Mul(hn::Sub(at(far_[axis]), from), scale), exit);
     };
     narrow(0, origin.x, inverse.x);
     narrow(1, origin.y, inverse.y);

@@ -7,9 +7,10 @@
 /// of the packet go on from where it came to as narrower beams, and at last each ray alone.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
+template <class Node>
 template <Query Q, Counter C>
-inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch,
-                                 C& count) const {
+inline void WideBvh<Node>::trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch,
+                                          C& count) const {
     constexpr std::size_t narrow = std::max<std::size_t>(1, 16 / Packet::group);  // groups
     Packet& packet = scratch.packet;
     Halts& halts = scratch.halts;
@@ -38,9 +39,10 @@ inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch&
 }
 
 /// Whether the beam came to the end of its halts in so many steps.
+template <class Node>
 template <Query Q, Counter C>
-inline bool Bvh8::follow(Packet& packet, Packet::Section section, int most_steps, Halts& halts,
-                         C& count) const {
+inline bool WideBvh<Node>::follow(Packet& packet, Packet::Section section, int most_steps,
+                                  Halts& halts, C& count) const {
     Beam beam = packet.beam(section);
     while (!halts.empty()) {
         const Halt halt = halts.top();
@@ -64,9 +66,11 @@ inline bool Bvh8::follow(Packet& packet, Packet::Section section, int most_steps
 }
 
 /// The children that the beam meets become halts.
+template <class Node>
 template <Counter C>
-inline void Bvh8::step(const Beam& beam, std::uint32_t number, Halts& halts, C& count) const {
-    const WideNode& node = nodes_[number];
+inline void WideBvh<Node>::step(const Beam& beam, std::uint32_t number, Halts& halts,
+                                C& count) const {
+    const Node& node = nodes_[number];
     count(Event::step);
     if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
     const auto [entry, exit] = beam.clip(node.bounds);
@@ -77,11 +81,12 @@ inline void Bvh8::step(const Beam& beam, std::uint32_t number, Halts& halts, C& 
     }
 }
 
+template <class Node>
 template <Query Q, Counter C>
-inline void Bvh8::visit_leaf(Packet& packet, Packet::Section section, const Halt& halt,
-                             C& count) const {
+inline void WideBvh<Node>::visit_leaf(Packet& packet, Packet::Section section, const Halt& halt,
+                                      C& count) const {
     using namespace simd;
-    const WideNode& parent = nodes_[halt.node];
+    const Node& parent = nodes_[halt.node];
     const PackedLeaf leaf = parent.child(halt.place).leaf();
     for (std::size_t group = section.first; group < section.end(); ++group) {
         const Packet::Mask active = packet.meets(group, parent.bounds, halt.place);
@@ -96,17 +101,19 @@ inline void Bvh8::visit_leaf(Packet& packet, Packet::Section section, const Halt
     }
 }
 
+template <class Node>
 template <Query Q, Precision P, Counter C>
-inline void Bvh8::test_triangles(Packet& packet, std::size_t group, Packet::Mask active,
-                                 PackedLeaf leaf, C& count) const {
+inline void WideBvh<Node>::test_triangles(Packet& packet, std::size_t group, Packet::Mask active,
+                                          PackedLeaf leaf, C& count) const {
     for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
         packet.test<Q, P>(group, active, leaves_.block<TriangleBlock>(leaf.first_block() + i),
                           leaves_.padding(), count);
 }
 
+template <class Node>
 template <Query Q, Counter C>
-void Bvh8::test_others(Packet& packet, std::size_t group, Packet::Mask active, PackedLeaf leaf,
-                       C& count) const {
+void WideBvh<Node>::test_others(Packet& packet, std::size_t group, Packet::Mask active,
+                                PackedLeaf leaf, C& count) const {
     if (leaf.is_mixed())
         return packet.test_each<Q>(group, active, [&](const TestRay& ray, Hit& hit) {
             leaves_.template test<Q>(leaf, ray, hit, count);

@@ -22,16 +22,17 @@ Geometry across(const std::vector<Box>& boxes, bool with_a_sphere) {
     return std::move(builder).build();
 }
 
-WideTree wide_tree(const Geometry& geometry) {
-    return laid_out(geometry, build_tree(geometry.all_bounds(), {.sah = {.test_width = 4}}));
+WideTree<WideNode8> wide_tree(const Geometry& geometry) {
+    return laid_out<WideNode8>(geometry,
+                               build_tree(geometry.all_bounds(), {.sah = {.test_width = 4}}));
 }
 
 /// Every leaf as the numbers of its primitives, if these are triangles.
-std::vector<int> times_met(const WideTree& tree, std::size_t primitives) {
+std::vector<int> times_met(const WideTree<WideNode8>& tree, std::size_t primitives) {
     std::vector<int> met(primitives);
     std::vector<std::uint32_t> pending{0};
     while (!pending.empty()) {
-        const WideNode& node = tree.nodes[pending.back()];
+        const WideNode8& node = tree.nodes[pending.back()];
         pending.pop_back();
         for (std::size_t i = 0; i < node.live; ++i) {
             const WideChild child = node.child(i);
@@ -51,15 +52,15 @@ std::vector<int> times_met(const WideTree& tree, std::size_t primitives) {
 TEST(WideLayout, is_the_same_for_any_number_of_threads) {
     for (const bool with_a_sphere : {false, true}) {
         const Geometry geometry = across(random_boxes(30000, 0.02f, 8), with_a_sphere);
-        WideTree first;
+        WideTree<WideNode8> first;
         for (const std::size_t threads : {1u, 2u, 7u}) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-            WideTree tree = wide_tree(geometry);
+            WideTree<WideNode8> tree = wide_tree(geometry);
             if (first.nodes.empty()) first = std::move(tree);
             else {
                 ASSERT_EQ(first.nodes.size(), tree.nodes.size());
                 EXPECT_TRUE(std::equal(first.nodes.begin(), first.nodes.end(), tree.nodes.begin(),
-                                       [](const WideNode& a, const WideNode& b) {
+                                       [](const WideNode8& a, const WideNode8& b) {
                                            return a.bounds.planes == b.bounds.planes &&
                                                   a.children == b.children && a.live == b.live;
                                        }));
@@ -79,7 +80,7 @@ TEST(WideLayout, has_every_triangle_once) {
 
 TEST(WideLayout, of_nothing_is_an_empty_root) {
     const Geometry geometry = GeometryBuilder().build();
-    const WideTree tree = wide_tree(geometry);
+    const WideTree<WideNode8> tree = wide_tree(geometry);
     ASSERT_EQ(tree.nodes.size(), 1u);
     EXPECT_EQ(tree.nodes.front().live, 0u);
 }
