@@ -153,7 +153,8 @@ template <class Node>
     const std::size_t block = PackedLeaves::offset(child.leaf());
     const std::byte* const first =
         firsts_[child.interior() ? 0 : 1] + simd::select(child.interior(), node, block);
-    for (std::size_t i = 0; i < sizeof(Node); i += 64) __builtin_prefetch(first + i);
+    for (std::size_t i = 0; i < std::max(sizeof(Node), sizeof(LeafBlock)); i += 64)
+        __builtin_prefetch(first + i);
 }
 
 /// The children of a node that a ray meets, and where it enters them.

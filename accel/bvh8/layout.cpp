@@ -205,5 +205,6 @@ WideTree<Node> laid_out(const Geometry& geometry, const BinaryTree& tree) {
 }
 
 template WideTree<WideNode8> laid_out(const Geometry& geometry, const BinaryTree& tree);
+template WideTree<WideNode4> laid_out(const Geometry& geometry, const BinaryTree& tree);
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

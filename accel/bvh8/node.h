@@ -46,5 +46,8 @@ struct alignas(64) WideNode {
 /// Four cache lines.
 using WideNode8 = WideNode<Boxes<8>>;
 static_assert(sizeof(WideNode8) == 256);
+/// Two.
+using WideNode4 = WideNode<Boxes<4>>;
+static_assert(sizeof(WideNode4) == 128);
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
