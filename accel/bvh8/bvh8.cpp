@@ -29,5 +29,6 @@ WideBvh<Node>::WideBvh(const BuildInput& input, const Options& chosen) {
 
 template WideBvh<WideNode8>::WideBvh(const BuildInput& input, const Options& chosen);
 template WideBvh<WideNode4>::WideBvh(const BuildInput& input, const Options& chosen);
+template WideBvh<WideNode8q>::WideBvh(const BuildInput& input, const Options& chosen);
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

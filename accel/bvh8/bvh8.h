@@ -174,7 +174,7 @@ inline auto WideBvh<Node>::meet(const Flight& flight, const Node& node, C& count
     using namespace simd;
     constexpr auto tag = floats<Node::width>;
     count(Event::step);
-    if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
+    if constexpr (C::counts) count(Event::bounding_volume_test, node.live());
     auto entry = hn::Set(tag, flight.ray.t_min), exit = limit(node.bounds, flight.hit.t);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         // Both factors negated: the same product, and the planes can stay in memory.

@@ -169,10 +169,10 @@ private:
     void fill(const Part& part, const Sketch& sketch, Node& node) {
         std::uint32_t next_child = sketch.first_child;
         std::uint32_t next_block = part.first_block + sketch.first_block;
-        node.live = sketch.children.size();
+        Boxes<Node::width> exact;
         for (std::uint32_t i = 0; i < sketch.children.size(); ++i) {
             const BinaryTree::Node& child = tree_.nodes[sketch.children[i]];
-            node.bounds.set(i, child.bounds);
+            exact.set(i, child.bounds);
             if (child.count > 0) {
                 node.children[i] = WideChild::leaf(packed(child, next_block)).bits();
                 next_block += blocks_of(child);
@@ -180,6 +180,7 @@ private:
                 node.children[i] = WideChild::node(number_of(part, next_child++)).bits();
             }
         }
+        node.bounds = decltype(node.bounds)(exact);
     }
 
     PackedLeaf packed(const BinaryTree::Node& leaf, std::uint32_t first_block) {
@@ -206,5 +207,6 @@ WideTree<Node> laid_out(const Geometry& geometry, const BinaryTree& tree) {
 
 template WideTree<WideNode8> laid_out(const Geometry& geometry, const BinaryTree& tree);
 template WideTree<WideNode4> laid_out(const Geometry& geometry, const BinaryTree& tree);
+template WideTree<WideNode8q> laid_out(const Geometry& geometry, const BinaryTree& tree);
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -72,7 +72,7 @@ inline void WideBvh<Node>::step(const Beam& beam, std::uint32_t number, Halts& h
                                 C& count) const {
     const Node& node = nodes_[number];
     count(Event::step);
-    if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
+    if constexpr (C::counts) count(Event::bounding_volume_test, node.live());
     const auto [entry, exit] = beam.clip(node.bounds);
     halts.push(number, simd::hn::Le(entry, exit), entry);
     if (halts.size() > 1) {

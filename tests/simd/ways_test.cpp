@@ -115,7 +115,8 @@ TEST_P(Ways, answer_like_the_scalar_tree_where_packets_stay_together) {
 INSTANTIATE_TEST_SUITE_P(Wide, Ways,
                          testing::Combine(testing::Values("bvh8", "bvh8:flight=1", "bvh8:flight=16",
                                                           "bvh8:packets=off,flight=64", "bvh4",
-                                                          "bvh4:flight=1"),
+                                                          "bvh4:flight=1", "bvh8q",
+                                                          "bvh8q:flight=1"),
                                           testing::ValuesIn(scenes)),
                          [](const auto& test) {
                              return std::to_string(test.index) + "_" +
