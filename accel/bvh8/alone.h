@@ -6,8 +6,9 @@
 /// right, it need not wait for.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
+template <class Node>
 template <Query Q, Counter C>
-inline void Bvh8::trace_alone(Flight& flight, C& count) const {
+inline void WideBvh<Node>::trace_alone(Flight& flight, C& count) const {
     while (!flight.next.is_none()) {
         if (!flight.next.interior()) {
             visit_leaf<Q>(flight, count);
@@ -16,7 +17,7 @@ inline void Bvh8::trace_alone(Flight& flight, C& count) const {
             flight.pop();
             continue;
         }
-        const WideNode& node = node_at(flight.next);
+        const Node& node = node_at(flight.next);
         const Children children = meet(flight, node, count);
         std::uint32_t places = children.places;
         if (places == 0) {
@@ -28,8 +29,8 @@ inline void Bvh8::trace_alone(Flight& flight, C& count) const {
         fetch(flight.next);
         places &= places - 1;
         if (places == 0) continue;
-        alignas(32) std::array<float, WideNode::width> entries;
-        simd::hn::Store(children.entry, simd::floats<WideNode::width>, entries.data());
+        alignas(32) std::array<float, Node::width> entries;
+        simd::hn::Store(children.entry, simd::floats<Node::width>, entries.data());
         float nearest = entries[place];
         do {
             place = static_cast<std::size_t>(std::countr_zero(places));

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "accel/core/box.h"
-#include "accel/simd/lanes.h"
+#include "accel/simd/wide_box.h"
 
 #include <utility>
 
@@ -18,11 +17,11 @@ struct Beam {
     float nearest = -infinity;             ///< farthest of the nearest hits so far
 
     /// The least entry and the largest exit of any ray for each box.
-    template <std::size_t Width>
-    auto clip(const Boxes<Width>& boxes) const {
+    template <class Bounds>
+    auto clip(const Bounds& boxes) const {
         using namespace simd;
-        constexpr auto tag = floats<Width>;
-        auto entry = hn::Set(tag, t_min), exit = hn::Set(tag, nearest);
+        constexpr auto tag = floats<Bounds::width>;
+        auto entry = hn::Set(tag, t_min), exit = limit(boxes, nearest);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const int i = static_cast<int>(axis);
             const bool descending = near[axis] > far[axis];
@@ -30,8 +29,8 @@ struct Beam {
             // The origin from which a plane is met first, and the one from which it is met last.
             const auto first = hn::Set(tag, descending ? origin_lo[i] : origin_hi[i]);
             const auto last = hn::Set(tag, descending ? origin_hi[i] : origin_lo[i]);
-            const auto to_near = hn::Sub(hn::Load(tag, boxes.planes[near[axis]].data()), first);
-            const auto to_far = hn::Sub(hn::Load(tag, boxes.planes[far[axis]].data()), last);
+            const auto to_near = hn::Sub(row(boxes, axis, near[axis] * Bounds::width), first);
+            const auto to_far = hn::Sub(row(boxes, axis, far[axis] * Bounds::width), last);
             entry = larger(least(hn::Mul(to_near, lo), hn::Mul(to_near, hi)), entry);
             exit = smaller(most(hn::Mul(to_far, lo), hn::Mul(to_far, hi)), exit);
         }

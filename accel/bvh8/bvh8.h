@@ -6,30 +6,26 @@
 #include "accel/core/raw_array.h"
 #include "accel/core/session.h"
 
-/// Bounding-volume hierarchy with eight children a node, tested at once. Coherent rays go together
-/// as packets; of the others many are in flight, so that one ray's wait for memory is the others'
-/// time. See README.md.
+/// Bounding-volume hierarchy with several children a node, tested at once. Coherent rays go
+/// together as packets; of the others many are in flight, so that one ray's wait for memory is the
+/// others' time. See README.md.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 struct Departures;
 
-class Bvh8 {
+/// The tree over any type of WideNode; a structure of the catalogue gives it a name.
+template <class Node>
+class WideBvh {
 public:
-    static constexpr std::string_view name = "bvh8";
-    static constexpr std::string_view summary =
-        "bounding-volume hierarchy: binned SAH, 8-wide, SIMD leaves, packets, rays in flight";
+    using Flight = rayshoot::Flight<Node>;
+    using Halts = rayshoot::Halts<Node::width>;
+
     static constexpr bool complete = true, remembers = false;
     static constexpr std::array options{
         build_option, OptionInfo{"leaf", "1 to 32", "4", "most primitives in a leaf"},
         OptionInfo{"bins", "2 to 256", "16", "bins per axis that a split is chosen from"},
         OptionInfo{"packets", "on|off", "on", "coherent rays go together, up to 64"},
         OptionInfo{"flight", "1 to 64", "16", "incoherent rays on their way at once"}};
-    static constexpr std::array<std::string_view, 6> configurations{"bvh8",
-                                                                    "bvh8:build=fast",
-                                                                    "bvh8:build=high",
-                                                                    "bvh8:packets=off,flight=1",
-                                                                    "bvh8:packets=off,flight=16",
-                                                                    "bvh8:leaf=32,bins=4"};
     static constexpr std::size_t most_flights = 64;
     /// Nodes that the beam round a packet meets before its groups go on by themselves.
     static constexpr int wide_steps = 24;
@@ -43,7 +39,7 @@ public:
         std::size_t bytes() const { return sizeof(*this) + flights.size() * sizeof(Flight); }
     };
 
-    Bvh8(const BuildInput& input, const Options& chosen);
+    WideBvh(const BuildInput& input, const Options& chosen);
 
     template <Query Q, Counter C>
     void many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch, C& count) const;
@@ -59,10 +55,6 @@ private:
     template <Query Q, Counter C>
     void trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
-    void trace_strays(std::uint64_t strays, Answers<Q>& answers, Scratch& scratch, C& count) const;
-    template <Query Q, class Next, Counter C>
-    void trace_flights(std::span<Flight> flights, Next&& next, Answers<Q>& answers, C& count) const;
-    template <Query Q, Counter C>
     void trace_alone(Flight& flight, C& count) const;
     template <Query Q, Counter C>
     void trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
@@ -73,17 +65,18 @@ private:
     template <Query Q, Counter C>
     void follow(Packet& packet, std::size_t group, GroupWalk& walk, C& count) const;
     template <Counter C>
-    void admit(const Packet& packet, std::size_t group, RaySet among, const WideNode& parent,
+    void admit(const Packet& packet, std::size_t group, RaySet among, const Node& parent,
                std::size_t place, float entry, GroupWalk& walk, C& count) const;
     template <Counter C>
     void set_out(const Packet& packet, std::size_t group, Scratch& scratch, C& count) const;
     template <Counter C>
-    std::pair<Places, simd::Floats<WideNode::width>> step(const Beam& beam, const WideNode& node,
-                                                          C& count) const;
+    std::pair<Places<Node::width>, simd::Floats<Node::width>> step(const Beam& beam,
+                                                                   const Node& node,
+                                                                   C& count) const;
 
     struct Children;
     template <Counter C>
-    Children meet(const Flight& flight, const WideNode& node, C& count) const;
+    Children meet(const Flight& flight, const Node& node, C& count) const;
     template <Counter C>
     void cross(Flight& flight, C& count) const;
     template <Query Q, Counter C>
@@ -100,9 +93,9 @@ private:
     [[gnu::noinline]] void visit_others(Packet& packet, RaySet rays, PackedLeaf leaf,
                                         C& count) const;
     void fetch(WideChild child) const;
-    const WideNode& node_at(WideChild child) const { return nodes_[child.number()]; }
+    const Node& node_at(WideChild child) const { return nodes_[child.number()]; }
 
-    RawArray<WideNode> nodes_;
+    RawArray<Node> nodes_;
     PackedLeaves leaves_;
     std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
@@ -111,9 +104,10 @@ private:
     Footprint footprint_;
 };
 
+template <class Node>
 template <Query Q, Counter C>
-inline void Bvh8::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch,
-                       C& count) const {
+inline void WideBvh<Node>::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch,
+                                C& count) const {
     const std::span<const Ray> rays = batch.rays;
     Packet& packet = scratch.packet;
     std::size_t waiting = 0;  // the first ray that has not been traced
@@ -128,9 +122,10 @@ inline void Bvh8::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scra
     trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
 }
 
+template <class Node>
 template <Query Q, Counter C>
-inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch,
-                             C& count) const {
+inline void WideBvh<Node>::trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch,
+                                      C& count) const {
     if (in_flight_ > 1) return trace_in_flight<Q>(part, answers, scratch, count);
     Flight& flight = scratch.flights.front();
     for (std::size_t i = 0; i < part.rays.size(); ++i) {
@@ -143,37 +138,41 @@ inline void Bvh8::trace_each(const Part& part, Answers<Q>& answers, Scratch& scr
 /// Asks for the memory of a child before its turn comes. Which kind it is cannot be foretold, so
 /// the place of either is computed. Inlined in any case: g++ 12 takes a function that does nothing
 /// but this for one without an effect, and drops its calls.
-[[gnu::always_inline]] inline void Bvh8::fetch(WideChild child) const {
-    const std::size_t node = std::size_t{child.number()} * sizeof(WideNode);
+template <class Node>
+[[gnu::always_inline]] inline void WideBvh<Node>::fetch(WideChild child) const {
+    const std::size_t node = std::size_t{child.number()} * sizeof(Node);
     const std::size_t block = PackedLeaves::offset(child.leaf());
     const std::byte* const first =
         firsts_[child.interior() ? 0 : 1] + simd::select(child.interior(), node, block);
-    for (std::size_t i = 0; i < sizeof(WideNode); i += 64) __builtin_prefetch(first + i);
+    for (std::size_t i = 0; i < std::max(sizeof(Node), sizeof(LeafBlock)); i += 64)
+        __builtin_prefetch(first + i);
 }
 
 /// The children of a node that a ray meets, and where it enters them.
-struct Bvh8::Children {
-    using V = simd::Floats<WideNode::width>;
+template <class Node>
+struct WideBvh<Node>::Children {
+    using V = simd::Floats<Node::width>;
     V entry;
-    Places met;
+    Places<Node::width> met;
     std::uint32_t places;  ///< the same, a bit each
 };
 
-/// clip() of box.h for eight boxes at once.
+/// clip() of box.h for all boxes at once.
+template <class Node>
 template <Counter C>
-inline Bvh8::Children Bvh8::meet(const Flight& flight, const WideNode& node, C& count) const {
+inline auto WideBvh<Node>::meet(const Flight& flight, const Node& node, C& count) const
+    -> Children {
     using namespace simd;
-    constexpr auto tag = floats<WideNode::width>;
+    constexpr auto tag = floats<Node::width>;
     count(Event::step);
-    if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
-    auto entry = hn::Set(tag, flight.ray.t_min), exit = hn::Set(tag, flight.hit.t);
-    const float* const planes = node.bounds.planes[0].data();
+    if constexpr (C::counts) count(Event::bounding_volume_test, node.live());
+    auto entry = hn::Set(tag, flight.ray.t_min), exit = limit(node.bounds, flight.hit.t);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         // Both factors negated: the same product, and the planes can stay in memory.
         const auto origin = hn::Set(tag, flight.origin[static_cast<int>(axis)]);
         const auto towards = hn::Set(tag, flight.towards[static_cast<int>(axis)]);
-        const auto near = hn::Load(tag, planes + flight.near[axis]);
-        const auto far = hn::Load(tag, planes + flight.far[axis]);
+        const auto near = row(node.bounds, axis, flight.near[axis]);
+        const auto far = row(node.bounds, axis, flight.far[axis]);
         entry = larger(hn::Mul(hn::Sub(origin, near), towards), entry);
         exit = smaller(hn::Mul(hn::Sub(origin, far), towards), exit);
     }
@@ -181,11 +180,25 @@ inline Bvh8::Children Bvh8::meet(const Flight& flight, const WideNode& node, C& 
     return {entry, met, bits(tag, met)};
 }
 
+template <class Node>
 template <Query Q, Counter C>
-inline void Bvh8::visit_leaf(Flight& flight, C& count) const {
+inline void WideBvh<Node>::visit_leaf(Flight& flight, C& count) const {
     count(Event::cell);
     leaves_.template test<Q>(flight.next.leaf(), flight.ray, flight.hit, count);
 }
+
+struct Bvh8 : WideBvh<WideNode8> {
+    using WideBvh::WideBvh;
+    static constexpr std::string_view name = "bvh8";
+    static constexpr std::string_view summary =
+        "bounding-volume hierarchy: binned SAH, 8-wide, SIMD leaves, packets, rays in flight";
+    static constexpr std::array<std::string_view, 6> configurations{"bvh8",
+                                                                    "bvh8:build=fast",
+                                                                    "bvh8:build=high",
+                                                                    "bvh8:packets=off,flight=1",
+                                                                    "bvh8:packets=off,flight=16",
+                                                                    "bvh8:leaf=32,bins=4"};
+};
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
 

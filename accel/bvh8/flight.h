@@ -7,17 +7,21 @@
 /// A ray on its way through the tree.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// Some of the eight children of a node.
-using Places = decltype(simd::hn::Le(simd::Floats<8>{}, simd::Floats<8>{}));
+/// Some of the children of a node.
+template <std::size_t Width>
+using Places = decltype(simd::hn::Le(simd::Floats<Width>{}, simd::Floats<Width>{}));
 
-/// The place of the least of eight values, by its bits with the place instead of the last three;
-/// 7 where there is none. Negative values are not told apart rightly: it is for an order alone.
-inline std::uint32_t nearest_of(Places met, simd::Floats<8> entries) {
+/// The place of the least of some values, by its bits with the place instead of the last two or
+/// three; the last place where there is none. Negative values are not told apart rightly: it is for
+/// an order alone.
+template <class V, class Mask>
+inline std::uint32_t nearest_of(Mask met, V entries) {
     using namespace simd;
-    constexpr hn::FixedTag<std::int32_t, 8> key;
-    const auto keys = hn::OrAnd(hn::Iota(key, 0), hn::Set(key, ~7), hn::BitCast(key, entries));
+    constexpr hn::RebindToSigned<hn::DFromV<V>> key;
+    constexpr std::int32_t last = hn::MaxLanes(key) - 1;
+    const auto keys = hn::OrAnd(hn::Iota(key, 0), hn::Set(key, ~last), hn::BitCast(key, entries));
     const auto open = hn::IfThenElse(hn::RebindMask(key, met), keys, hn::Set(key, 0x7fffffff));
-    return static_cast<std::uint32_t>(hn::GetLane(hn::MinOfLanes(key, open))) & 7;
+    return static_cast<std::uint32_t>(hn::GetLane(hn::MinOfLanes(key, open)) & last);
 }
 
 /// Children that are still to be visited, and where the ray enters them.
@@ -27,10 +31,11 @@ public:
 
     void clear() { top_ = lowest; }
     WideChild top() const { return WideChild::from(children_[top_ - 1]); }
-    /// Writes eight, of which `count` count.
-    void push(std::size_t count, simd::Words<8> children, simd::Floats<8> entries) {
-        simd::hn::StoreU(children, simd::words<8>, &children_[top_]);
-        simd::hn::StoreU(entries, simd::floats<8>, &entries_[top_]);
+    /// Writes whole vectors, of which the first `count` lanes count.
+    template <class Words, class V>
+    void push(std::size_t count, Words children, V entries) {
+        simd::hn::StoreU(children, simd::hn::DFromV<Words>(), &children_[top_]);
+        simd::hn::StoreU(entries, simd::hn::DFromV<V>(), &entries_[top_]);
         top_ += count;
     }
     void push(WideChild child, float entry) {
@@ -59,7 +64,7 @@ private:
     /// Below the first entry lie as many that are no children, so that nothing asks whether one is
     /// left.
     static constexpr std::size_t lowest = 9,
-                                 size = lowest + (WideNode::width - 1) * deepest + WideNode::width;
+                                 size = lowest + (most_children - 1) * deepest + most_children;
     static constexpr auto nobody = [] {
         std::array<std::uint32_t, size> children{};
         children.fill(0xffffffff);
@@ -76,11 +81,12 @@ private:
     std::array<float, size> entries_ = nowhere;
 };
 
+template <class Node>
 struct alignas(64) Flight {
     /// What a step finds out before another decides where to go.
     struct Crossing {
-        alignas(32) std::array<float, WideNode::width> entries;  ///< into each child
-        const WideNode* node;
+        alignas(32) std::array<float, Node::width> entries;  ///< into each child
+        const Node* node;
         std::uint32_t places;   ///< of the children that are met, a bit each
         std::uint32_t nearest;  ///< place of the one that is met first, if any
     } crossing;
@@ -98,8 +104,8 @@ struct alignas(64) Flight {
         origin = ray.origin;
         towards = -ray.inverse;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            near[axis] = static_cast<std::uint32_t>(ray.near[axis] * WideNode::width);
-            far[axis] = static_cast<std::uint32_t>(ray.far[axis] * WideNode::width);
+            near[axis] = static_cast<std::uint32_t>(ray.near[axis] * Node::width);
+            far[axis] = static_cast<std::uint32_t>(ray.far[axis] * Node::width);
         }
         hit = nothing_yet(from);
         next = WideChild::node(0);

@@ -31,9 +31,8 @@ public:
     }
 
 private:
-    static constexpr std::size_t width = WideNode::width;
-    /// Those that the packet's beam had still to visit, and seven more on each level.
-    static constexpr std::size_t most = 2 * ((width - 1) * Stack::deepest + width);
+    /// Those that the packet's beam had still to visit, and all but one more on each level.
+    static constexpr std::size_t most = 2 * ((most_children - 1) * Stack::deepest + most_children);
 
     std::array<std::uint32_t, most> children_, rays_;
     std::array<float, most> entries_;

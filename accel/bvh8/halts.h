@@ -11,7 +11,8 @@ struct Halt {
     float entry;  ///< where the beam enters the child
 };
 
-/// A stack of them.
+/// A stack of them, of nodes with so many children.
+template <std::size_t Width>
 class Halts {
 public:
     void clear() { size_ = 0; }
@@ -25,11 +26,11 @@ public:
     void drop() { --size_; }
     /// The children of a node at some places, the nearest one on top, the others in
     /// any order. Without a branch: how many there are cannot be foretold.
-    void push(std::uint32_t node, Places met, simd::Floats<8> entries);
+    void push(std::uint32_t node, Places<Width> met, simd::Floats<Width> entries);
 
 private:
-    static constexpr std::uint32_t width = WideNode::width;
-    /// A node leaves seven children behind at most; eight are written at once.
+    static constexpr std::uint32_t width = Width;
+    /// A node leaves all children but one behind at most; all are written at once.
     static constexpr std::size_t most = (width - 1) * Stack::deepest + width;
 
     std::array<std::uint32_t, most> children_;  ///< node * width + place
@@ -37,7 +38,8 @@ private:
     std::size_t size_ = 0;
 };
 
-inline void Halts::push(std::uint32_t node, Places met, simd::Floats<8> entries) {
+template <std::size_t Width>
+inline void Halts<Width>::push(std::uint32_t node, Places<Width> met, simd::Floats<Width> entries) {
     using namespace simd;
     constexpr auto tag = floats<width>;
     constexpr auto word = words<width>;

@@ -8,11 +8,12 @@
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// Which children the ray meets, and which of them first.
+template <class Node>
 template <Counter C>
-inline void Bvh8::cross(Flight& flight, C& count) const {
+inline void WideBvh<Node>::cross(Flight& flight, C& count) const {
     using namespace simd;
-    constexpr auto tag = floats<WideNode::width>;
-    const WideNode& node = node_at(flight.next);
+    constexpr auto tag = floats<Node::width>;
+    const Node& node = node_at(flight.next);
     const Children children = meet(flight, node, count);
     hn::Store(children.entry, tag, flight.crossing.entries.data());
     flight.crossing.node = &node;
@@ -23,16 +24,17 @@ inline void Bvh8::cross(Flight& flight, C& count) const {
 /// Goes on to the nearest child that is met, or else to what was left behind last; the other
 /// children are left behind in any order. What is popped here was pushed in an earlier round: a
 /// value that has just been stored as part of a vector would have to be waited for.
-inline void go_down(Flight& flight) {
+template <class Node>
+inline void go_down(Flight<Node>& flight) {
     using namespace simd;
-    const Flight::Crossing& crossing = flight.crossing;
+    const auto& crossing = flight.crossing;
     const std::uint32_t nearest = crossing.nearest;
     const std::uint32_t places = crossing.places, others = places & ~(1u << nearest);
     const WideChild left_behind = flight.stack.top();
     flight.stack.push(
         static_cast<std::size_t>(std::popcount(places)),
-        compress(hn::Load(words<WideNode::width>, crossing.node->children.data()), others),
-        compress(hn::Load(floats<WideNode::width>, crossing.entries.data()), others));
+        compress(hn::Load(words<Node::width>, crossing.node->children.data()), others),
+        compress(hn::Load(floats<Node::width>, crossing.entries.data()), others));
     flight.stack.drop();
     flight.next = WideChild::from(static_cast<std::uint32_t>(
         simd::select(places != 0, crossing.node->child(nearest).bits(), left_behind.bits())));
@@ -54,7 +56,8 @@ struct Departures {
         to_node |= (leaf ^ 1) << flight;
         to_leaf |= leaf << flight;
     }
-    void sort_leaves(const Flight* flights) {
+    template <class Node>
+    void sort_leaves(const Flight<Node>* flights) {
         for_each(std::exchange(to_leaf, 0), [&](std::size_t flight) {
             const WideChild next = flights[flight].next;
             const std::uint64_t end = next.is_none();
@@ -68,9 +71,10 @@ struct Departures {
     }
 };
 
+template <class Node>
 template <Query Q, Counter C>
-inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch,
-                                  C& count) const {
+inline void WideBvh<Node>::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch,
+                                           C& count) const {
     Flight* const flights = scratch.flights.data();
     Departures departures;
     std::size_t started = 0;
@@ -114,9 +118,10 @@ inline void Bvh8::trace_in_flight(const Part& part, Answers<Q>& answers, Scratch
 
 /// One block of each leaf, for as many flights at once as there are; fewer only where no other
 /// flight goes on.
+template <class Node>
 template <Query Q, class Block, Counter C>
-inline void Bvh8::visit_blocks(std::uint64_t& waiting, Departures& departures, Flight* flights,
-                               C& count) const {
+inline void WideBvh<Node>::visit_blocks(std::uint64_t& waiting, Departures& departures,
+                                        Flight* flights, C& count) const {
     while (static_cast<std::size_t>(std::popcount(waiting)) >= rays_by_blocks ||
            (waiting != 0 && departures.to_node == 0)) {
         RaysAndBlocks<Block> pairs;

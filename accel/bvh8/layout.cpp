@@ -19,13 +19,13 @@ std::uint32_t blocks_of(const BinaryTree::Node& leaf) {
 }
 
 /// The binary nodes that become the children of one wide node: the one with the largest box is
-/// replaced by its two children until there are eight (Wald, Benthin & Boulos 2008).
+/// replaced by its two children until there are enough (Wald, Benthin & Boulos 2008).
 class Children {
 public:
-    Children(const BinaryTree& tree, std::uint32_t node) {
+    Children(const BinaryTree& tree, std::uint32_t node, std::size_t enough) {
         areas_.fill(leaf);
         set(0, tree, node);
-        while (size_ < WideNode::width && open_largest(tree)) {
+        while (size_ < enough && open_largest(tree)) {
         }
     }
     std::uint32_t size() const { return size_; }
@@ -41,7 +41,7 @@ private:
     }
     bool open_largest(const BinaryTree& tree) {
         using namespace simd;
-        constexpr auto tag = floats<WideNode::width>;
+        constexpr auto tag = floats<most_children>;
         const auto areas = hn::Load(tag, areas_.data());
         const auto largest_area = hn::MaxOfLanes(tag, areas);
         const auto largest =
@@ -54,8 +54,8 @@ private:
     }
 
     static constexpr float leaf = -1;  ///< less than any area
-    std::array<std::uint32_t, WideNode::width> nodes_;
-    alignas(32) std::array<float, WideNode::width> areas_;
+    std::array<std::uint32_t, most_children> nodes_;
+    alignas(32) std::array<float, most_children> areas_;
     std::uint32_t size_ = 1;
 };
 
@@ -65,7 +65,8 @@ struct Sketch {
     std::uint32_t first_child = 0;  ///< number of the first one that is no leaf; the others follow
     std::uint32_t first_block = 0;  ///< of the leaves, likewise
 
-    Sketch(const BinaryTree& tree, std::uint32_t node) : children(tree, node) {}
+    Sketch(const BinaryTree& tree, std::uint32_t node, std::size_t width)
+        : children(tree, node, width) {}
 };
 
 /// Wide nodes that are numbered by themselves, from 0, and the blocks of their leaves.
@@ -88,17 +89,18 @@ struct Part {
     }
 };
 
+template <class Node>
 class Layout {
 public:
     Layout(const Geometry& geometry, const BinaryTree& tree) : tree_(tree), packer_(geometry) {
         sketch_top();
         tbb::parallel_for(std::size_t{1}, parts_.size(), [&](std::size_t i) { sketch(parts_[i]); });
         const Part end = place_parts();
-        nodes_ = RawArray<WideNode>(end.first_node);
+        nodes_ = RawArray<Node>(end.first_node);
         parallel_ = packer_.make_room_for_triangles(end.first_block);
     }
 
-    WideTree build() && {
+    WideTree<Node> build() && {
         if (parallel_) {
             tbb::parallel_for(std::size_t{0}, parts_.size(),
                               [&](std::size_t i) { fill(parts_[i]); });
@@ -115,13 +117,13 @@ private:
         std::vector<std::uint32_t> waiting{BinaryTree::root};
         std::size_t next = 0;
         for (; next < waiting.size() && waiting.size() - next < enough_parts; ++next) {
-            Sketch& sketch = top.nodes.emplace_back(tree_, waiting[next]);
+            Sketch& sketch = top.nodes.emplace_back(tree_, waiting[next], Node::width);
             top.expand(tree_, sketch, static_cast<std::uint32_t>(waiting.size()),
                        [&](std::uint32_t child) { waiting.push_back(child); });
         }
         parts_.resize(1 + waiting.size() - next);
         for (std::size_t i = 1; i < parts_.size(); ++i)
-            parts_[i].nodes.emplace_back(tree_, waiting[next + i - 1]);
+            parts_[i].nodes.emplace_back(tree_, waiting[next + i - 1], Node::width);
         parts_.front() = std::move(top);
     }
 
@@ -135,7 +137,7 @@ private:
             part.expand(tree_, here, static_cast<std::uint32_t>(part.nodes.size()),
                         [&](std::uint32_t child) {
                             pending.push_back(static_cast<std::uint32_t>(part.nodes.size()));
-                            part.nodes.emplace_back(tree_, child);
+                            part.nodes.emplace_back(tree_, child, Node::width);
                         });
             part.nodes[number] = here;
         }
@@ -161,16 +163,16 @@ private:
 
     void fill(const Part& part) {
         for (std::size_t i = 0; i < part.nodes.size(); ++i)
-            fill(part, part.nodes[i], *new (&nodes_[part.first_node + i]) WideNode());
+            fill(part, part.nodes[i], *new (&nodes_[part.first_node + i]) Node());
     }
 
-    void fill(const Part& part, const Sketch& sketch, WideNode& node) {
+    void fill(const Part& part, const Sketch& sketch, Node& node) {
         std::uint32_t next_child = sketch.first_child;
         std::uint32_t next_block = part.first_block + sketch.first_block;
-        node.live = sketch.children.size();
+        Boxes<Node::width> exact;
         for (std::uint32_t i = 0; i < sketch.children.size(); ++i) {
             const BinaryTree::Node& child = tree_.nodes[sketch.children[i]];
-            node.bounds.set(i, child.bounds);
+            exact.set(i, child.bounds);
             if (child.count > 0) {
                 node.children[i] = WideChild::leaf(packed(child, next_block)).bits();
                 next_block += blocks_of(child);
@@ -178,6 +180,7 @@ private:
                 node.children[i] = WideChild::node(number_of(part, next_child++)).bits();
             }
         }
+        node.bounds = decltype(node.bounds)(exact);
     }
 
     PackedLeaf packed(const BinaryTree::Node& leaf, std::uint32_t first_block) {
@@ -188,17 +191,22 @@ private:
     const BinaryTree& tree_;
     LeafPacker packer_;
     std::vector<Part> parts_;  ///< the first one is the top, without which there are no others
-    RawArray<WideNode> nodes_;
+    RawArray<Node> nodes_;
     bool parallel_ = false;
 };
 
 }  // namespace
 
-WideTree laid_out(const Geometry& geometry, const BinaryTree& tree) {
-    if (!tree.nodes.empty()) return Layout(geometry, tree).build();
-    WideTree nothing{RawArray<WideNode>(1), LeafPacker(geometry).build()};
-    new (nothing.nodes.data()) WideNode();
+template <class Node>
+WideTree<Node> laid_out(const Geometry& geometry, const BinaryTree& tree) {
+    if (!tree.nodes.empty()) return Layout<Node>(geometry, tree).build();
+    WideTree<Node> nothing{RawArray<Node>(1), LeafPacker(geometry).build()};
+    new (nothing.nodes.data()) Node();
     return nothing;
 }
+
+template WideTree<WideNode8> laid_out(const Geometry& geometry, const BinaryTree& tree);
+template WideTree<WideNode4> laid_out(const Geometry& geometry, const BinaryTree& tree);
+template WideTree<WideNode8q> laid_out(const Geometry& geometry, const BinaryTree& tree);
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

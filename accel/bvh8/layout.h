@@ -7,14 +7,16 @@
 /// From a binary tree to wide nodes and packed leaves.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
+template <class Node>
 struct WideTree {
-    RawArray<WideNode> nodes;  ///< the root first, even when there is nothing in it
+    RawArray<Node> nodes;  ///< the root first, even when there is nothing in it
     PackedLeaves leaves;
 };
 
 /// Nodes and leaves stand depth first, but for the topmost nodes, which come before all others. In
 /// parallel where all primitives are triangles that stand still; the same for any number of
-/// threads.
-WideTree laid_out(const Geometry& geometry, const BinaryTree& tree);
+/// threads. For each type of node there is.
+template <class Node>
+WideTree<Node> laid_out(const Geometry& geometry, const BinaryTree& tree);
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

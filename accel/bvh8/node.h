@@ -2,8 +2,9 @@
 
 #include "accel/core/box.h"
 #include "accel/simd/packed_leaves.h"
+#include "accel/simd/quantised_boxes.h"
 
-/// Nodes of the 8-wide tree, and what their children are.
+/// Nodes of a wide tree, and what their children are.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// An interior node's number, or a leaf, in one word.
@@ -29,16 +30,35 @@ private:
     std::uint32_t bits_;
 };
 
-/// Four cache lines: the bounds of eight children, plane by plane, and what they are.
-struct alignas(64) WideNode {
-    static constexpr std::size_t width = 8;
+inline constexpr std::size_t most_children = 8;  ///< of any node
 
-    Boxes<width> bounds;                          ///< empty where there is no child
-    std::array<std::uint32_t, width> children{};  ///< bits of a WideChild each
-    std::uint32_t live = 0;                       ///< children that exist, the first ones
+/// The bounds of some children side by side, and what they are; never on more cache lines than its
+/// size asks for.
+template <class Bounds>
+struct alignas(sizeof(Bounds) > 64 ? 64 : 32) WideNode {
+    static constexpr std::size_t width = Bounds::width;
+    static_assert(width <= most_children);
 
+    Bounds bounds;                              ///< empty where there is no child
+    std::array<std::uint32_t, width> children;  ///< bits of a WideChild each
+
+    WideNode() { children.fill(WideChild::none().bits()); }
     WideChild child(std::size_t i) const { return WideChild::from(children[i]); }
+    /// Children that exist, the first ones.
+    std::size_t live() const {
+        std::size_t count = 0;
+        while (count < width && !child(count).is_none()) ++count;
+        return count;
+    }
 };
-static_assert(sizeof(WideNode) == 256);
+/// Four cache lines.
+using WideNode8 = WideNode<Boxes<8>>;
+static_assert(sizeof(WideNode8) == 256);
+/// Two.
+using WideNode4 = WideNode<Boxes<4>>;
+static_assert(sizeof(WideNode4) == 128);
+/// One and a half: always on two.
+using WideNode8q = WideNode<QuantisedBoxes>;
+static_assert(sizeof(WideNode8q) == 96);
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

@@ -44,8 +44,8 @@ public:
     /// The farthest of a section's nearest hits so far.
     float reach(Section section) const;
     /// The rays of a group that enter one of several boxes before their nearest hit.
-    template <std::size_t Width>
-    RaySet enter(std::size_t group, const Boxes<Width>& boxes, std::size_t box) const;
+    template <class Bounds>
+    RaySet enter(std::size_t group, const Bounds& boxes, std::size_t box) const;
     /// Tests some rays of the packet against every triangle of a block; P: the packet's precision.
     template <Query Q, Precision P, Counter C>
     void test(RaySet rays, const TriangleBlock& block, float padding, C& count);
@@ -170,19 +170,19 @@ inline float Packet::reach(Section section) const {
     return simd::hn::GetLane(simd::hn::MaxOfLanes(simd::floats<group>, farthest));
 }
 
-template <std::size_t Width>
-[[gnu::always_inline]] inline RaySet Packet::enter(std::size_t g, const Boxes<Width>& boxes,
+template <class Bounds>
+[[gnu::always_inline]] inline RaySet Packet::enter(std::size_t g, const Bounds& boxes,
                                                    std::size_t box) const {
     using namespace simd;
     const std::size_t first = g * group;
     const auto origin = origin_.from(first), inverse = inverse_.from(first);
     V entry = row(t_min_, first), exit = row(t_, first);
     const auto narrow = [&](std::size_t axis, V from, V scale) {
-        const auto plane = [&](std::size_t i) {
-            return hn::Set(floats<group>, boxes.planes[i][box]);
+        const auto at = [&](std::size_t place) {
+            return hn::Set(floats<group>, plane(boxes, axis, place, box));
         };
-        entry = larger(hn::Mul(hn::Sub(plane(near_[axis]), from), scale), entry);
-        exit = smaller(hn::Mul(hn::Sub(plane(far_[axis]), from), scale), exit);
+        entry = larger(hn::Mul(hn::Sub(at(near_[axis]), from), scale), entry);
+        exit = smaller(hn::Mul(hn::Sub(at(far_[axis]), from), scale), exit);
     };
     narrow(0, origin.x, inverse.x);
     narrow(1, origin.y, inverse.y);

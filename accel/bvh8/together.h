@@ -8,9 +8,10 @@
 /// enter it.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
+template <class Node>
 template <Query Q, Counter C>
-inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch,
-                                 C& count) const {
+inline void WideBvh<Node>::trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch,
+                                          C& count) const {
     Packet& packet = scratch.packet;
     if (!follow<Q>(packet, scratch.halts, count))
         for (std::size_t group = 0; group < packet.groups(); ++group) {
@@ -21,8 +22,9 @@ inline void Bvh8::trace_together(const Part& part, Answers<Q>& answers, Scratch&
 }
 
 /// Whether the beam of the whole packet came to the end of its halts in so few steps.
+template <class Node>
 template <Query Q, Counter C>
-inline bool Bvh8::follow(Packet& packet, Halts& halts, C& count) const {
+inline bool WideBvh<Node>::follow(Packet& packet, Halts& halts, C& count) const {
     Beam beam = packet.beam(packet.all());
     const auto enter = [&](std::uint32_t number) {
         const auto [met, entries] = step(beam, nodes_[number], count);
@@ -35,7 +37,7 @@ inline bool Bvh8::follow(Packet& packet, Halts& halts, C& count) const {
     enter(0);
     for (int steps_left = wide_steps; !halts.empty();) {
         const Halt halt = halts.top();
-        const WideNode& parent = nodes_[halt.node];
+        const Node& parent = nodes_[halt.node];
         const WideChild child = parent.child(halt.place);
         const bool reached = halt.entry <= beam.nearest;
         if (reached && child.interior() && steps_left-- == 0) return false;
@@ -57,9 +59,10 @@ inline bool Bvh8::follow(Packet& packet, Halts& halts, C& count) const {
 }
 
 /// What the packet's beam has still to visit, by the rays of one group.
+template <class Node>
 template <Counter C>
-inline void Bvh8::set_out(const Packet& packet, std::size_t group, Scratch& scratch,
-                          C& count) const {
+inline void WideBvh<Node>::set_out(const Packet& packet, std::size_t group, Scratch& scratch,
+                                   C& count) const {
     scratch.walk.clear();
     for (std::size_t i = 0; i < scratch.halts.size(); ++i) {
         const auto [node, place, entry] = scratch.halts[i];
@@ -68,8 +71,10 @@ inline void Bvh8::set_out(const Packet& packet, std::size_t group, Scratch& scra
 }
 
 /// To the end of the walk.
+template <class Node>
 template <Query Q, Counter C>
-inline void Bvh8::follow(Packet& packet, std::size_t group, GroupWalk& walk, C& count) const {
+inline void WideBvh<Node>::follow(Packet& packet, std::size_t group, GroupWalk& walk,
+                                  C& count) const {
     const Packet::Section section{group, 1};
     Beam beam = packet.beam(section);
     while (!walk.empty()) {
@@ -80,12 +85,12 @@ inline void Bvh8::follow(Packet& packet, std::size_t group, GroupWalk& walk, C& 
             beam.nearest = packet.reach(section);
             continue;
         }
-        const WideNode& node = node_at(child);
+        const Node& node = node_at(child);
         const auto [met, entries] = step(beam, node, count);
-        alignas(32) std::array<float, WideNode::width> entry_of;
-        simd::hn::Store(entries, simd::floats<WideNode::width>, entry_of.data());
+        alignas(32) std::array<float, Node::width> entry_of;
+        simd::hn::Store(entries, simd::floats<Node::width>, entry_of.data());
         const std::uint32_t nearest = nearest_of(met, entries);
-        const std::uint32_t places = simd::bits(simd::floats<WideNode::width>, met);
+        const std::uint32_t places = simd::bits(simd::floats<Node::width>, met);
         const auto enter = [&](std::size_t place) {
             admit(packet, group, rays, node, place, entry_of[place], walk, count);
         };
@@ -95,10 +100,11 @@ inline void Bvh8::follow(Packet& packet, std::size_t group, GroupWalk& walk, C& 
 }
 
 /// The rays of a group, among some, that enter a child are to visit it.
+template <class Node>
 template <Counter C>
-inline void Bvh8::admit(const Packet& packet, std::size_t group, RaySet among,
-                        const WideNode& parent, std::size_t place, float entry, GroupWalk& walk,
-                        C& count) const {
+inline void WideBvh<Node>::admit(const Packet& packet, std::size_t group, RaySet among,
+                                 const Node& parent, std::size_t place, float entry,
+                                 GroupWalk& walk, C& count) const {
     if constexpr (C::counts)
         count(Event::bounding_volume_test, static_cast<std::uint64_t>(std::popcount(among)));
     const WideChild child = parent.child(place);
@@ -107,26 +113,29 @@ inline void Bvh8::admit(const Packet& packet, std::size_t group, RaySet among,
 }
 
 /// The children that a beam meets, and where.
+template <class Node>
 template <Counter C>
-inline std::pair<Places, simd::Floats<WideNode::width>> Bvh8::step(const Beam& beam,
-                                                                   const WideNode& node,
-                                                                   C& count) const {
+inline std::pair<Places<Node::width>, simd::Floats<Node::width>> WideBvh<Node>::step(
+    const Beam& beam, const Node& node, C& count) const {
     count(Event::step);
-    if constexpr (C::counts) count(Event::bounding_volume_test, node.live);
+    if constexpr (C::counts) count(Event::bounding_volume_test, node.live());
     const auto [entry, exit] = beam.clip(node.bounds);
     return {simd::hn::Le(entry, exit), entry};
 }
 
+template <class Node>
 template <Query Q, Counter C>
-inline void Bvh8::visit_leaf(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const {
+inline void WideBvh<Node>::visit_leaf(Packet& packet, RaySet rays, PackedLeaf leaf,
+                                      C& count) const {
     if constexpr (C::counts) count(Event::cell, static_cast<std::uint64_t>(std::popcount(rays)));
     if (leaf.only_triangles() && leaves_.precision() == Precision::standard) [[likely]]
         visit_triangles<Q, Precision::standard>(packet, rays, leaf, count);
     else visit_others<Q>(packet, rays, leaf, count);
 }
 
+template <class Node>
 template <Query Q, Counter C>
-void Bvh8::visit_others(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const {
+void WideBvh<Node>::visit_others(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const {
     if (leaf.is_mixed())
         return packet.test_each<Q>(rays, [&](const TestRay& ray, Hit& hit) {
             leaves_.template test<Q>(leaf, ray, hit, count);
@@ -138,8 +147,10 @@ void Bvh8::visit_others(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) 
                        count);
 }
 
+template <class Node>
 template <Query Q, Precision P, Counter C>
-inline void Bvh8::visit_triangles(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const {
+inline void WideBvh<Node>::visit_triangles(Packet& packet, RaySet rays, PackedLeaf leaf,
+                                           C& count) const {
     for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
         packet.test<Q, P>(rays, leaves_.block<TriangleBlock>(leaf.first_block() + i),
                           leaves_.padding(), count);

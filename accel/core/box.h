@@ -111,6 +111,8 @@ inline Interval clip(const SlabRay& ray, const Box& box, Interval within = {}) {
 /// nodes.
 template <std::size_t Width>
 struct Boxes {
+    static constexpr std::size_t width = Width;
+
     std::array<std::array<float, Width>, 6> planes;
 
     Boxes() {

@@ -89,7 +89,7 @@ inline std::uint32_t bits(D tag, Mask mask) {
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
-/// For each set of eight lanes their numbers in ascending order, a byte each.
+/// For each set of up to eight lanes their numbers in ascending order, a byte each.
 inline constexpr auto lane_numbers = [] {
     std::array<std::array<std::uint8_t, 8>, 256> numbers{};
     for (std::size_t set = 0; set < 256; ++set) {
@@ -109,9 +109,10 @@ inline V compress(V v, std::uint32_t set) {
     const auto byte = static_cast<std::uint8_t>(set);
     return hn::Compress(v, hn::LoadMaskBits(tag, &byte));
 #else
-    static_assert(hn::MaxLanes(tag) == 8);
-    const auto numbers = hn::LoadU(hn::FixedTag<std::uint8_t, 8>(), lane_numbers[set].data());
-    const auto indices = hn::PromoteTo(hn::FixedTag<std::uint32_t, 8>(), numbers);
+    constexpr std::size_t lanes = hn::MaxLanes(tag);
+    static_assert(lanes <= 8);
+    const auto numbers = hn::LoadU(hn::FixedTag<std::uint8_t, lanes>(), lane_numbers[set].data());
+    const auto indices = hn::PromoteTo(hn::FixedTag<std::uint32_t, lanes>(), numbers);
     return hn::TableLookupLanes(v, hn::IndicesFromVec(tag, indices));
 #endif
 }

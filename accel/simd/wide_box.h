@@ -11,6 +11,26 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 template <class V>
 using WidePlanes = std::array<V, 6>;
 
+// What a traversal asks of a node's boxes, however they are stored.
+
+/// The planes of all boxes that a ray meets first across an axis, or last. `first`: their place in
+/// {lo.xyz, hi.xyz}, as in SlabRay, times the number of boxes.
+template <std::size_t Width>
+inline simd::Floats<Width> row(const Boxes<Width>& boxes, std::size_t /*axis*/, std::size_t first) {
+    return simd::hn::Load(simd::floats<Width>, boxes.planes[0].data() + first);
+}
+/// One of these, of one box.
+template <std::size_t Width>
+inline float plane(const Boxes<Width>& boxes, std::size_t /*axis*/, std::size_t place,
+                   std::size_t box) {
+    return boxes.planes[place][box];
+}
+/// A ray's t_max for each box.
+template <std::size_t Width>
+inline simd::Floats<Width> limit(const Boxes<Width>&, float t_max) {
+    return simd::hn::Set(simd::floats<Width>, t_max);
+}
+
 /// bounds(Triangle)
 template <class V>
 inline WidePlanes<V> triangle_bounds(const simd::Vectors<V>& a, const simd::Vectors<V>& b,

@@ -61,16 +61,24 @@ TEST(Lanes, below_is_float_below) {
     for (std::size_t i = 0; i < width; ++i) EXPECT_EQ(found[i], float_below(ends[i])) << ends[i];
 }
 
-TEST(Lanes, compress_moves_every_set_of_lanes_to_the_front) {
+template <std::size_t Width>
+void expect_every_set_moves_to_the_front() {
     const Row row{10, 11, 12, 13, 14, 15, 16, 17};
-    for (std::uint32_t set = 0; set < 256; ++set) {
-        const Row found = store(compress(load(row), set));
+    for (std::uint32_t set = 0; set < 1u << Width; ++set) {
+        Row found;
+        hn::StoreU(compress(hn::LoadU(floats<Width>, row.data()), set), floats<Width>,
+                   found.data());
         std::size_t place = 0;
-        for (std::size_t i = 0; i < width; ++i)
+        for (std::size_t i = 0; i < Width; ++i)
             if ((set >> i & 1) != 0) {
                 ASSERT_EQ(found[place++], row[i]) << set;
             }
     }
+}
+
+TEST(Lanes, compress_moves_every_set_of_lanes_to_the_front) {
+    expect_every_set_moves_to_the_front<8>();
+    expect_every_set_moves_to_the_front<4>();
 }
 
 TEST(Lanes, bits_are_the_lanes_of_a_mask) {

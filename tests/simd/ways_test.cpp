@@ -6,7 +6,7 @@
 #include <cstring>
 #include <tuple>
 
-/// Every way through the 8-wide tree, over leaves of every kind: on packets that stay together and
+/// Every way through the wide trees, over leaves of every kind: on packets that stay together and
 /// on such wide ones that they are given up.
 namespace rayshoot {
 namespace {
@@ -105,13 +105,18 @@ TEST_P(Ways, answer_like_the_scalar_tree_where_packets_stay_together) {
     const std::vector<Ray> rays = packets(0.0005, 0.0005);
     const Counters counted = expect_answers_like_the_scalar_tree(way, scene, rays);
     if (std::string_view(way).find("packets=off") == std::string_view::npos) {
-        EXPECT_LT(counted[Event::step], 4 * rays.size());  // twelve each, were they alone
+        // For two questions. Alone a ray takes 26 steps for one, and 41 in the 4-wide tree, where
+        // some beams meet more nodes than they may.
+        const std::size_t most_of_a_ray = std::string_view(way).starts_with("bvh4") ? 16 : 4;
+        EXPECT_LT(counted[Event::step], most_of_a_ray * rays.size());
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bvh8, Ways,
+INSTANTIATE_TEST_SUITE_P(Wide, Ways,
                          testing::Combine(testing::Values("bvh8", "bvh8:flight=1", "bvh8:flight=16",
-                                                          "bvh8:packets=off,flight=64"),
+                                                          "bvh8:packets=off,flight=64", "bvh4",
+                                                          "bvh4:flight=1", "bvh8q",
+                                                          "bvh8q:flight=1"),
                                           testing::ValuesIn(scenes)),
                          [](const auto& test) {
                              return std::to_string(test.index) + "_" +
