@@ -9,9 +9,12 @@
 /// Memory for the large arrays that rays jump about in.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// Bytes aligned for the largest use; from 2 MiB upward on huge pages where the system grants them,
-/// which spares most of the address translations. Throws std::bad_alloc.
-void* allocate_pages(std::size_t bytes);
+/// Whether all of an array is going to be used, or small parts of it here and there.
+enum class PageUse : bool { dense, sparse };
+
+/// Bytes aligned for the largest use; dense ones, from 2 MiB upward, on huge pages where the system
+/// grants them, which spares most of the address translations. Throws std::bad_alloc.
+void* allocate_pages(std::size_t bytes, PageUse use = PageUse::dense);
 void free_pages(void* pages) noexcept;
 
 template <class T>

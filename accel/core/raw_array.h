@@ -15,8 +15,8 @@ requires std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>
 class RawArray {
 public:
     RawArray() = default;
-    explicit RawArray(std::size_t size)
-        : elements_(static_cast<T*>(allocate_pages(size * sizeof(T)))), size_(size) {}
+    explicit RawArray(std::size_t size, PageUse use = PageUse::dense)
+        : elements_(static_cast<T*>(allocate_pages(size * sizeof(T), use))), size_(size) {}
 
     RawArray copy() const {
         RawArray copied(size_);
