@@ -29,14 +29,35 @@ private:
     std::uint32_t bits_;
 };
 
+/// Children on their way into a node.
+struct Siblings {
+    static constexpr std::size_t most = 8;
+
+    std::array<Box, most> bounds;
+    std::array<std::uint32_t, most> children;  ///< bits of a WideChild each
+    std::uint32_t count = 0;
+
+    void add(const Box& box, WideChild child) {
+        bounds[count] = box;
+        children[count++] = child.bits();
+    }
+};
+
 /// Four cache lines: the bounds of eight children, plane by plane, and what they are.
 struct alignas(64) WideNode {
-    static constexpr std::size_t width = 8;
+    static constexpr std::size_t width = Siblings::most;
 
     Boxes<width> bounds;                          ///< empty where there is no child
     std::array<std::uint32_t, width> children{};  ///< bits of a WideChild each
     std::uint32_t live = 0;                       ///< children that exist, the first ones
 
+    WideNode() = default;
+    explicit WideNode(const Siblings& siblings) : live(siblings.count) {
+        for (std::uint32_t i = 0; i < live; ++i) {
+            bounds.set(i, siblings.bounds[i]);
+            children[i] = siblings.children[i];
+        }
+    }
     WideChild child(std::size_t i) const { return WideChild::from(children[i]); }
 };
 static_assert(sizeof(WideNode) == 256);
