@@ -24,6 +24,10 @@ public:
         return copied;
     }
 
+    /// Gives up the elements from `size` on; their memory stays, but if none was touched yet the
+    /// system has none there.
+    void shrink(std::size_t size) { size_ = size; }
+
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
     T* data() { return elements_.get(); }
