@@ -29,7 +29,10 @@ std::span<const Reference> chunk(std::span<const Reference> references, std::siz
 class Builder {
 public:
     Builder(std::span<const Box> boxes, const BinnedSah& settings)
-        : settings_(settings), tree_(boxes.size()), here_(boxes.size()), there_(boxes.size()) {
+        : settings_(settings),
+          tree_(boxes.size()),
+          here_(boxes.size(), PageUse::passing),
+          there_(boxes.size(), PageUse::passing) {
         // Boxes that no leaf may hold together are not tested at once either.
         settings_.test_width =
             std::min(settings_.test_width, std::bit_floor(settings_.largest_leaf));

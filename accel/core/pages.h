@@ -9,11 +9,13 @@
 /// Memory for the large arrays that rays jump about in.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// Whether all of an array is going to be used, or small parts of it here and there.
-enum class PageUse : bool { dense, sparse };
+/// Rays jump about in a `dense` array; a `passing` one is freed before they come; of a `sparse` one
+/// much is never touched.
+enum class PageUse : unsigned char { dense, passing, sparse };
 
-/// Bytes aligned for the largest use; dense ones, from 2 MiB upward, on huge pages where the system
-/// grants them, which spares most of the address translations. Throws std::bad_alloc.
+/// Bytes aligned for the largest use; from 2 MiB upward on huge pages where the system grants them,
+/// which spares most of the address translations. No huge pages for sparse arrays, nor for the end
+/// of a passing one where that would be less than half full. Throws std::bad_alloc.
 void* allocate_pages(std::size_t bytes, PageUse use = PageUse::dense);
 void free_pages(void* pages) noexcept;
 
