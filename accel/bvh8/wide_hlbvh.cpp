@@ -86,7 +86,6 @@ private:
             members[i] = keys[i].number();
             bounds.include(simd::Bounds(boxes_[members[i]]));
         }
-        std::sort(members.begin(), members.end());
         leaves.add(bounds.box(), WideChild::leaf(parallel_ ? packer_.set_triangles(number, members)
                                                            : packer_.add(members)));
     }
