@@ -25,11 +25,13 @@ struct BinaryTree {
     int depth = 0;  ///< of the deepest leaf; the root's is 0
 
     BinaryTree() = default;
-    explicit BinaryTree(std::size_t boxes) : nodes(2 * boxes), order(boxes) {}
+    explicit BinaryTree(std::size_t boxes) : nodes(2 * boxes, PageUse::sparse), order(boxes) {}
 
     /// The boxes before and after place `middle` of the order are parted nowhere else, so the place
     /// of the pair that parts them needs no counter, and is free whatever else is built meanwhile.
     static std::uint32_t pair_at(std::uint32_t middle) { return 2 * middle; }
+    /// From here on a sub-tree over the boxes from place `first` on may put its pairs side by side.
+    static std::uint32_t pairs_from(std::uint32_t first) { return pair_at(first) + 2; }
     static std::uint32_t sibling(std::uint32_t node) { return node ^ 1; }
 };
 

@@ -29,7 +29,10 @@ std::span<const Reference> chunk(std::span<const Reference> references, std::siz
 class Builder {
 public:
     Builder(std::span<const Box> boxes, const BinnedSah& settings)
-        : settings_(settings), tree_(boxes.size()), here_(boxes.size()), there_(boxes.size()) {
+        : settings_(settings),
+          tree_(boxes.size()),
+          here_(boxes.size(), PageUse::passing),
+          there_(boxes.size(), PageUse::passing) {
         // Boxes that no leaf may hold together are not tested at once either.
         settings_.test_width =
             std::min(settings_.test_width, std::bit_floor(settings_.largest_leaf));
@@ -49,6 +52,7 @@ private:
     /// Some references, and the place of the node that is to hold them.
     struct Range {
         std::uint32_t first = 0, count = 0, node = BinaryTree::root;
+        std::uint32_t pairs = BinaryTree::pairs_from(0);  ///< of its descendants, if they are few
         int depth = 0;
         bool moved = false;  ///< they are in `there_`
         Enclosure enclosure;
@@ -197,16 +201,26 @@ private:
     }
 
     std::pair<Range, Range> sides(const Range& range, std::uint32_t left_count) const {
-        const std::uint32_t middle = range.first + left_count, pair = BinaryTree::pair_at(middle);
+        const std::uint32_t middle = range.first + left_count;
+        const std::uint32_t pair = is_task(range) ? BinaryTree::pair_at(middle) : range.pairs;
         const int depth = range.depth + 1;
-        return {{range.first, left_count, pair, depth, range.moved, {}},
-                {middle, range.count - left_count, pair + 1, depth, range.moved, {}}};
+        return {{range.first, left_count, pair, 0, depth, range.moved, {}},
+                {middle, range.count - left_count, pair + 1, 0, depth, range.moved, {}}};
     }
 
-    Extent descend(const Range& range, const Range& left, const Range& right) {
+    static bool is_task(const Range& range) { return range.count > references_per_task; }
+
+    Extent descend(const Range& range, Range left, Range right) {
         tree_.nodes[range.node].first = left.node;
         tree_.nodes[range.node].count = 0;
-        if (range.count <= references_per_task) return subdivide(left) + subdivide(right);
+        if (!is_task(range)) {
+            left.pairs = range.pairs + 2;
+            const Extent first = subdivide(left);
+            right.pairs = left.pairs + 2 * (first.leaves - 1);
+            return first + subdivide(right);
+        }
+        left.pairs = BinaryTree::pairs_from(left.first);
+        right.pairs = BinaryTree::pairs_from(right.first);
         Extent first, second;
         tbb::parallel_invoke([&] { first = subdivide(left); }, [&] { second = subdivide(right); });
         return first + second;

@@ -1,26 +1,36 @@
 #include "accel/bvh8/bvh8.h"
 
 #include "accel/bvh8/layout.h"
+#include "accel/bvh8/wide_hlbvh.h"
 
 namespace rayshoot::inline RAYSHOOT_ISA {
 
+namespace {
+
+template <class Node>
+WideTree<Node> build(const Geometry& geometry, const TreeSettings& settings) {
+    if (settings.build == TreeBuild::fast) return build_wide_hlbvh<Node>(geometry, settings.sah);
+    return laid_out<Node>(geometry, build_tree(geometry.all_bounds(), settings));
+}
+
+}  // namespace
+
 template <class Node>
 WideBvh<Node>::WideBvh(const BuildInput& input, const Options& chosen) {
-    const BinaryTree tree = build_tree(
-        input.geometry.all_bounds(),
+    WideTree<Node> tree = build<Node>(
+        input.geometry,
         {.build = chosen_build(chosen),
          .sah = {.bins = chosen.integer("bins", 2, BinnedSah::most_bins),
                  .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 32)),
                  .deepest = Stack::deepest,
                  .test_width = TriangleBlock::width}});
-    WideTree<Node> wide = laid_out<Node>(input.geometry, tree);
-    nodes_ = std::move(wide.nodes);
-    leaves_ = std::move(wide.leaves);
+    nodes_ = std::move(tree.nodes);
+    leaves_ = std::move(tree.leaves);
     firsts_ = {reinterpret_cast<const std::byte*>(nodes_.data()), leaves_.first()};
     footprint_ = {.interior = nodes_.size(),
-                  .leaves = tree.leaves,
+                  .leaves = tree.leaf_count,
                   .empty_leaves = 0,
-                  .references = tree.order.size(),
+                  .references = input.geometry.size(),
                   .depth = static_cast<std::uint64_t>(tree.depth),
                   .bytes = nodes_.size() * sizeof(Node) + leaves_.bytes()};
     packets_ = chosen.flag("packets");

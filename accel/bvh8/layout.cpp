@@ -1,10 +1,10 @@
 #include "accel/bvh8/layout.h"
 
+#include "accel/bvh8/collapse.h"
 #include "accel/simd/leaf_packer.h"
 
 #include <tbb/parallel_for.h>
 
-#include <bit>
 #include <vector>
 
 namespace rayshoot::inline RAYSHOOT_ISA {
@@ -18,47 +18,6 @@ std::uint32_t blocks_of(const BinaryTree::Node& leaf) {
     return (leaf.count + width - 1) / width;
 }
 
-/// The binary nodes that become the children of one wide node: the one with the largest box is
-/// replaced by its two children until there are enough (Wald, Benthin & Boulos 2008).
-class Children {
-public:
-    Children(const BinaryTree& tree, std::uint32_t node, std::size_t enough) {
-        areas_.fill(leaf);
-        set(0, tree, node);
-        while (size_ < enough && open_largest(tree)) {
-        }
-    }
-    std::uint32_t size() const { return size_; }
-    std::uint32_t operator[](std::uint32_t i) const { return nodes_[i]; }
-
-private:
-    void set(std::uint32_t i, const BinaryTree& tree, std::uint32_t number) {
-        const BinaryTree::Node& node = tree.nodes[number];
-        nodes_[i] = number;
-        if (node.count == 0) __builtin_prefetch(&tree.nodes[node.first]);
-        const float area = node.bounds.half_area();
-        areas_[i] = node.count > 0 ? leaf : area >= 0 ? area : 0;  // NaN: flat, and unbounded
-    }
-    bool open_largest(const BinaryTree& tree) {
-        using namespace simd;
-        constexpr auto tag = floats<most_children>;
-        const auto areas = hn::Load(tag, areas_.data());
-        const auto largest_area = hn::MaxOfLanes(tag, areas);
-        const auto largest =
-            static_cast<std::uint32_t>(std::countr_zero(bits(tag, hn::Eq(areas, largest_area))));
-        if (areas_[largest] == leaf) return false;
-        const std::uint32_t left = tree.nodes[nodes_[largest]].first;
-        set(largest, tree, left);
-        set(size_++, tree, left + 1);
-        return true;
-    }
-
-    static constexpr float leaf = -1;  ///< less than any area
-    std::array<std::uint32_t, most_children> nodes_;
-    alignas(32) std::array<float, most_children> areas_;
-    std::uint32_t size_ = 1;
-};
-
 /// A wide node before it has a place.
 struct Sketch {
     Children children;
@@ -66,7 +25,7 @@ struct Sketch {
     std::uint32_t first_block = 0;  ///< of the leaves, likewise
 
     Sketch(const BinaryTree& tree, std::uint32_t node, std::size_t width)
-        : children(tree, node, width) {}
+        : children(Collapse(tree, node, width).children()) {}
 };
 
 /// Wide nodes that are numbered by themselves, from 0, and the blocks of their leaves.
@@ -81,10 +40,10 @@ struct Part {
                 const Descend& descend) {
         sketch.first_child = next_number;
         sketch.first_block = blocks;
-        for (std::uint32_t i = 0; i < sketch.children.size(); ++i) {
-            const BinaryTree::Node& child = tree.nodes[sketch.children[i]];
+        for (const std::uint32_t number : sketch.children) {
+            const BinaryTree::Node& child = tree.nodes[number];
             if (child.count > 0) blocks += blocks_of(child);
-            else descend(sketch.children[i]);
+            else descend(number);
         }
     }
 };
@@ -107,7 +66,7 @@ public:
         } else {
             for (const Part& part : parts_) fill(part);
         }
-        return {std::move(nodes_), std::move(packer_).build()};
+        return {std::move(nodes_), std::move(packer_).build(), tree_.leaves, tree_.depth};
     }
 
 private:
@@ -163,24 +122,23 @@ private:
 
     void fill(const Part& part) {
         for (std::size_t i = 0; i < part.nodes.size(); ++i)
-            fill(part, part.nodes[i], *new (&nodes_[part.first_node + i]) Node());
+            new (&nodes_[part.first_node + i]) Node(siblings(part, part.nodes[i]));
     }
 
-    void fill(const Part& part, const Sketch& sketch, Node& node) {
+    Siblings siblings(const Part& part, const Sketch& sketch) {
+        Siblings all;
         std::uint32_t next_child = sketch.first_child;
         std::uint32_t next_block = part.first_block + sketch.first_block;
-        Boxes<Node::width> exact;
-        for (std::uint32_t i = 0; i < sketch.children.size(); ++i) {
-            const BinaryTree::Node& child = tree_.nodes[sketch.children[i]];
-            exact.set(i, child.bounds);
+        for (const std::uint32_t number : sketch.children) {
+            const BinaryTree::Node& child = tree_.nodes[number];
             if (child.count > 0) {
-                node.children[i] = WideChild::leaf(packed(child, next_block)).bits();
+                all.add(child.bounds, WideChild::leaf(packed(child, next_block)));
                 next_block += blocks_of(child);
             } else {
-                node.children[i] = WideChild::node(number_of(part, next_child++)).bits();
+                all.add(child.bounds, WideChild::node(number_of(part, next_child++)));
             }
         }
-        node.bounds = decltype(node.bounds)(exact);
+        return all;
     }
 
     PackedLeaf packed(const BinaryTree::Node& leaf, std::uint32_t first_block) {
@@ -200,7 +158,7 @@ private:
 template <class Node>
 WideTree<Node> laid_out(const Geometry& geometry, const BinaryTree& tree) {
     if (!tree.nodes.empty()) return Layout<Node>(geometry, tree).build();
-    WideTree<Node> nothing{RawArray<Node>(1), LeafPacker(geometry).build()};
+    WideTree<Node> nothing{RawArray<Node>(1), LeafPacker(geometry).build(), 0, 0};
     new (nothing.nodes.data()) Node();
     return nothing;
 }

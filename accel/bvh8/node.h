@@ -32,6 +32,18 @@ private:
 
 inline constexpr std::size_t most_children = 8;  ///< of any node
 
+/// Children on their way into a node.
+struct Siblings {
+    std::array<Box, most_children> bounds;
+    std::array<std::uint32_t, most_children> children;  ///< bits of a WideChild each
+    std::uint32_t count = 0;
+
+    void add(const Box& box, WideChild child) {
+        bounds[count] = box;
+        children[count++] = child.bits();
+    }
+};
+
 /// The bounds of some children side by side, and what they are; never on more cache lines than its
 /// size asks for.
 template <class Bounds>
@@ -43,6 +55,15 @@ struct alignas(sizeof(Bounds) > 64 ? 64 : 32) WideNode {
     std::array<std::uint32_t, width> children;  ///< bits of a WideChild each
 
     WideNode() { children.fill(WideChild::none().bits()); }
+    explicit WideNode(const Siblings& siblings) : WideNode() {
+        Boxes<width> exact;
+        for (std::uint32_t i = 0; i < siblings.count; ++i) {
+            exact.set(i, siblings.bounds[i]);
+            children[i] = siblings.children[i];
+        }
+        bounds = Bounds(exact);
+    }
+
     WideChild child(std::size_t i) const { return WideChild::from(children[i]); }
     /// Children that exist, the first ones.
     std::size_t live() const {

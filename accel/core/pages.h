@@ -9,9 +9,14 @@
 /// Memory for the large arrays that rays jump about in.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
+/// Rays jump about in a `dense` array; a `passing` one is freed before they come; of a `sparse` one
+/// much is never touched.
+enum class PageUse : unsigned char { dense, passing, sparse };
+
 /// Bytes aligned for the largest use; from 2 MiB upward on huge pages where the system grants them,
-/// which spares most of the address translations. Throws std::bad_alloc.
-void* allocate_pages(std::size_t bytes);
+/// which spares most of the address translations. No huge pages for sparse arrays, nor for the end
+/// of a passing one where that would be less than half full. Throws std::bad_alloc.
+void* allocate_pages(std::size_t bytes, PageUse use = PageUse::dense);
 void free_pages(void* pages) noexcept;
 
 template <class T>

@@ -15,14 +15,18 @@ requires std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>
 class RawArray {
 public:
     RawArray() = default;
-    explicit RawArray(std::size_t size)
-        : elements_(static_cast<T*>(allocate_pages(size * sizeof(T)))), size_(size) {}
+    explicit RawArray(std::size_t size, PageUse use = PageUse::dense)
+        : elements_(static_cast<T*>(allocate_pages(size * sizeof(T), use))), size_(size) {}
 
     RawArray copy() const {
         RawArray copied(size_);
         std::memcpy(static_cast<void*>(copied.data()), data(), size_ * sizeof(T));
         return copied;
     }
+
+    /// Gives up the elements from `size` on; their memory stays, but if none was touched yet the
+    /// system has none there.
+    void shrink(std::size_t size) { size_ = size; }
 
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }

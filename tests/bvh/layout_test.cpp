@@ -2,6 +2,7 @@
 
 #include "accel/bvh/builders.h"
 #include "accel/bvh8/layout.h"
+#include "accel/bvh8/wide_hlbvh.h"
 #include "tests/bvh/soups.h"
 
 #include <tbb/global_control.h>
@@ -22,10 +23,20 @@ Geometry across(const std::vector<Box>& boxes, bool with_a_sphere) {
     return std::move(builder).build();
 }
 
-template <class Node = WideNode8>
-WideTree<Node> wide_tree(const Geometry& geometry) {
+template <class Node>
+using Build = WideTree<Node> (*)(const Geometry&);
+
+template <class Node>
+WideTree<Node> by_binned_sah(const Geometry& geometry) {
     return laid_out<Node>(geometry, build_tree(geometry.all_bounds(), {.sah = {.test_width = 4}}));
 }
+template <class Node>
+WideTree<Node> by_hlbvh(const Geometry& geometry) {
+    return build_wide_hlbvh<Node>(geometry, {.test_width = 4});
+}
+template <class Node>
+constexpr std::array<Build<Node>, 2> all_wide_builds{by_binned_sah<Node>, by_hlbvh<Node>};
+using WideTree8 = WideTree<WideNode8>;
 
 /// Every leaf as the numbers of its primitives, if these are triangles.
 template <class Node>
@@ -51,35 +62,59 @@ std::vector<int> times_met(const WideTree<Node>& tree, std::size_t primitives) {
     return met;
 }
 
-TEST(WideLayout, is_the_same_for_any_number_of_threads) {
-    for (const bool with_a_sphere : {false, true}) {
-        const Geometry geometry = across(random_boxes(30000, 0.02f, 8), with_a_sphere);
-        WideTree<WideNode8> first;
-        for (const std::size_t threads : {1u, 2u, 7u}) {
-            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-            WideTree<WideNode8> tree = wide_tree(geometry);
-            if (first.nodes.empty()) first = std::move(tree);
-            else {
-                ASSERT_EQ(first.nodes.size(), tree.nodes.size());
-                EXPECT_TRUE(std::equal(first.nodes.begin(), first.nodes.end(), tree.nodes.begin(),
-                                       [](const WideNode8& a, const WideNode8& b) {
-                                           return a.bounds.planes == b.bounds.planes &&
-                                                  a.children == b.children;
-                                       }));
-                ASSERT_EQ(first.leaves.bytes(), tree.leaves.bytes());
+/// Of the children as they are, which is what the parent has to enclose.
+Box bounds_of(const WideTree8& tree, std::uint32_t number) {
+    Box all;
+    for (std::size_t i = 0; i < tree.nodes[number].live(); ++i) {
+        const auto& planes = tree.nodes[number].bounds.planes;
+        all.include(Box{{planes[0][i], planes[1][i], planes[2][i]},
+                        {planes[3][i], planes[4][i], planes[5][i]}});
+    }
+    return all;
+}
+
+void expect_same(const WideTree8& a, const WideTree8& b) {
+    ASSERT_EQ(a.nodes.size(), b.nodes.size());
+    EXPECT_TRUE(std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(),
+                           [](const WideNode8& n, const WideNode8& m) {
+                               return n.bounds.planes == m.bounds.planes &&
+                                      n.children == m.children;
+                           }));
+    EXPECT_EQ(a.leaves.bytes(), b.leaves.bytes());
+    EXPECT_EQ(a.leaf_count, b.leaf_count);
+    EXPECT_EQ(a.depth, b.depth);
+}
+
+TEST(WideTrees, are_the_same_for_any_number_of_threads) {
+    for (const Build<WideNode8> build : all_wide_builds<WideNode8>) {
+        for (const bool with_a_sphere : {false, true}) {
+            const Geometry geometry = across(random_boxes(30000, 0.02f, 8), with_a_sphere);
+            WideTree8 first;
+            for (const std::size_t threads : {1u, 2u, 7u}) {
+                const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                                threads);
+                WideTree8 tree = build(geometry);
+                if (first.nodes.empty()) first = std::move(tree);
+                else expect_same(first, tree);
             }
         }
     }
 }
 
-TEST(WideLayout, has_every_triangle_once) {
-    for (const std::size_t count : {1u, 2u, 4u, 5u, 9u, 40u, 3000u, 30000u}) {
-        const Geometry geometry = across(random_boxes(count, 0.1f, 9), false);
-        for (const std::vector<int>& met : {times_met(wide_tree(geometry), count),
-                                            times_met(wide_tree<WideNode4>(geometry), count),
-                                            times_met(wide_tree<WideNode8q>(geometry), count)})
+template <class Node>
+void expect_every_triangle_once() {
+    for (const Build<Node> build : all_wide_builds<Node>)
+        for (const std::size_t count : {1u, 2u, 4u, 5u, 9u, 32u, 33u, 40u, 3000u, 30000u}) {
+            const Geometry geometry = across(random_boxes(count, 0.1f, 9), false);
+            const std::vector<int> met = times_met(build(geometry), count);
             EXPECT_EQ(std::count(met.begin(), met.end(), 1), std::ssize(met)) << count;
-    }
+        }
+}
+
+TEST(WideTrees, have_every_triangle_once) {
+    expect_every_triangle_once<WideNode8>();
+    expect_every_triangle_once<WideNode4>();
+    expect_every_triangle_once<WideNode8q>();
 }
 
 /// Bounds of triangles with such corners may be unbounded again: they are padded.
@@ -93,14 +128,14 @@ std::vector<Box> with_finite_corners(std::vector<Box> boxes) {
 }
 
 /// Exactly: a box that is decoded is compared as a float.
-TEST(WideLayout, quantised_contains_every_child_of_every_node) {
+TEST(WideTrees, that_are_quantised_contain_every_child_of_every_node) {
     std::vector<Soup> soups = nasty_soups();
     soups.push_back({"random", random_boxes(30000, 0.02f, 10)});
     for (const Soup& soup : soups) {
         const Geometry geometry = across(with_finite_corners(soup.boxes), false);
         if (geometry.size() == 0) continue;
-        const WideTree<WideNode8> exact = wide_tree(geometry);
-        const WideTree<WideNode8q> quantised = wide_tree<WideNode8q>(geometry);
+        const WideTree<WideNode8> exact = by_binned_sah<WideNode8>(geometry);
+        const WideTree<WideNode8q> quantised = by_binned_sah<WideNode8q>(geometry);
         ASSERT_EQ(exact.nodes.size(), quantised.nodes.size()) << soup.name;
         for (std::size_t n = 0; n < exact.nodes.size(); ++n) {
             const WideNode8& node = exact.nodes[n];
@@ -118,11 +153,39 @@ TEST(WideLayout, quantised_contains_every_child_of_every_node) {
     }
 }
 
-TEST(WideLayout, of_nothing_is_an_empty_root) {
+TEST(WideTrees, have_nodes_in_the_bounds_of_their_place) {
+    const Geometry geometry = across(random_boxes(3000, 0.1f, 10), false);
+    for (const Build<WideNode8> build : all_wide_builds<WideNode8>) {
+        const WideTree8 tree = build(geometry);
+        EXPECT_EQ(bounds_of(tree, 0), geometry.bounds());
+        for (std::uint32_t number = 0; number < tree.nodes.size(); ++number) {
+            const WideNode8& node = tree.nodes[number];
+            for (std::size_t i = 0; i < node.live(); ++i) {
+                if (!node.child(i).interior()) continue;
+                const Box box = bounds_of(tree, node.child(i).number());
+                for (int axis = 0; axis < 3; ++axis) {
+                    const auto lo = static_cast<std::size_t>(axis);
+                    EXPECT_EQ(box.lo[axis], node.bounds.planes[lo][i]);
+                    EXPECT_EQ(box.hi[axis], node.bounds.planes[lo + 3][i]);
+                }
+            }
+        }
+    }
+}
+
+TEST(WideTrees, of_coincident_triangles_are_no_deeper_than_the_stack) {
+    const Geometry geometry = across(std::vector<Box>(5000, Box{vec3(0), vec3(1)}), false);
+    for (const Build<WideNode8> build : all_wide_builds<WideNode8>)
+        EXPECT_LE(build(geometry).depth, 64);
+}
+
+TEST(WideTrees, of_nothing_are_an_empty_root) {
     const Geometry geometry = GeometryBuilder().build();
-    const WideTree<WideNode8> tree = wide_tree(geometry);
-    ASSERT_EQ(tree.nodes.size(), 1u);
-    EXPECT_EQ(tree.nodes.front().live(), 0u);
+    for (const Build<WideNode8> build : all_wide_builds<WideNode8>) {
+        const WideTree8 tree = build(geometry);
+        ASSERT_EQ(tree.nodes.size(), 1u);
+        EXPECT_EQ(tree.nodes.front().live(), 0u);
+    }
 }
 
 }  // namespace
