@@ -111,13 +111,18 @@ inline void WideBvh<Node>::many(const RayBatch& batch, Answers<Q>& answers, Scra
     const std::span<const Ray> rays = batch.rays;
     Packet& packet = scratch.packet;
     std::size_t waiting = 0;  // the first ray that has not been traced
+    const auto together = [&](std::size_t first, std::size_t size) {
+        if (!packet.load(rays.subspan(first, size), leaves_.precision(), most_apart_)) return false;
+        trace_each<Q>({rays.subspan(waiting, first - waiting), waiting}, answers, scratch, count);
+        trace_together<Q>({rays.subspan(first, size), first}, answers, scratch, count);
+        waiting = first + size;
+        return true;
+    };
     for (std::size_t i = 0; packets_ && i + Packet::group <= rays.size(); i += Packet::most) {
         const std::size_t whole_groups = (rays.size() - i) / Packet::group * Packet::group;
-        const std::size_t together = std::min(Packet::most, whole_groups);
-        if (!packet.load(rays.subspan(i, together), leaves_.precision(), most_apart_)) continue;
-        trace_each<Q>({rays.subspan(waiting, i - waiting), waiting}, answers, scratch, count);
-        trace_together<Q>({rays.subspan(i, together), i}, answers, scratch, count);
-        waiting = i + together;
+        const std::size_t size = std::min(Packet::most, whole_groups);
+        if (together(i, size)) continue;
+        for (std::size_t j = i; j < i + size; j += Packet::group) together(j, Packet::group);
     }
     trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
 }

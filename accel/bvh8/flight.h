@@ -116,6 +116,11 @@ struct alignas(64) Flight {
         next = stack.cull(hit.t);
         stack.drop();
     }
+    /// For a ray that is over once it hits anything: until then nothing is out of its reach.
+    void pop_any() {
+        next = stack.top();
+        stack.drop();
+    }
 };
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

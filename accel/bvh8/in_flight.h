@@ -135,17 +135,20 @@ inline void WideBvh<Node>::visit_blocks(std::uint64_t& waiting, Departures& depa
                                &leaves_.block<Block>(flight.next.leaf().first_block())};
         }
         const float padding = leaves_.padding();
-        if constexpr (std::is_same_v<Block, SphereBlock>) test(pairs, together, padding, count);
+        constexpr Misses misses = Q == Query::closest ? Misses::go_on : Misses::leave;
+        if constexpr (std::is_same_v<Block, SphereBlock>)
+            test<misses>(pairs, together, padding, count);
         else if (leaves_.precision() == Precision::standard)
-            test<Precision::standard>(pairs, together, padding, count);
-        else test<Precision::watertight>(pairs, together, padding, count);
+            test<Precision::standard, misses>(pairs, together, padding, count);
+        else test<Precision::watertight, misses>(pairs, together, padding, count);
         for (std::size_t i = 0; i < together; ++i) {
             Flight& flight = flights[numbers[i]];
             const PackedLeaf leaf = flight.next.leaf();
             const bool last = leaf.block_count() == 1;
             const bool over = Q == Query::occluded && flight.hit.primitive != no_primitive;
             if constexpr (C::counts) count(Event::cell, last || over);
-            flight.pop();
+            if constexpr (Q == Query::closest) flight.pop();
+            else flight.pop_any();
             if (!last) [[unlikely]] {
                 flight.stack.push(flight.next, -infinity);
                 flight.next = WideChild::leaf(leaf.after_first());

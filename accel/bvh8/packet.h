@@ -33,7 +33,7 @@ public:
 
     /// Whole groups, 64 rays at most, which stay where they are while the packet is in use. False,
     /// and no packet, where they do not go nearly the same way, or begin all over the place:
-    /// farther apart than `most_apart` along every axis.
+    /// farther apart than `most_apart` along any axis.
     bool load(std::span<const Ray> rays, Precision precision, const vec3& most_apart);
 
     std::size_t groups() const { return rays_.size() / group; }
@@ -121,7 +121,7 @@ inline bool Packet::load(std::span<const Ray> rays, Precision precision, const v
         if (!one_sign || !(hi[axis] - lo[axis] < most_spread * longest)) return false;
     }
     const auto [from, to] = ends(origin_, all());
-    if (glm::all(glm::greaterThan(to - from, most_apart))) return false;
+    if (glm::any(glm::greaterThan(to - from, most_apart))) return false;
     const SlabRay first(rays.front().origin, rays.front().direction);
     near_ = first.near;
     far_ = first.far;

@@ -304,11 +304,11 @@ template <Misses M, class HitOf, class InDouble, Counter C>
 }
 
 /// For the first `size` of them what test() of triangle_block.h does, or test_watertight().
-template <Precision P, Counter C>
+template <Precision P, Misses M = Misses::go_on, Counter C>
 inline void test(RaysAndBlocks<TriangleBlock>& pairs, std::size_t size, float padding, C& count) {
     Hit nobody;
     quads::fill(pairs, size, nobody);
-    test<P, Misses::go_on>(
+    test<P, M>(
         QuadsOfTriangles(pairs), QuadsOfRays(pairs), size,
         [&](std::size_t i) -> Hit& { return *pairs[i].hit; },
         [&](std::size_t i, std::size_t lane) {
@@ -318,14 +318,14 @@ inline void test(RaysAndBlocks<TriangleBlock>& pairs, std::size_t size, float pa
 }
 
 /// For the first `size` of them what test() of sphere_block.h does.
-template <Counter C>
+template <Misses M = Misses::go_on, Counter C>
 inline void test(RaysAndBlocks<SphereBlock>& pairs, std::size_t size, float padding, C& count) {
     Hit nobody;
     quads::fill(pairs, size, nobody);
     const QuadsOfRays rays(pairs);
     bool more = true;
     for (std::size_t first = 0; more; first += 4) {
-        test<Misses::go_on>(
+        test<M>(
             QuadsOfSpheres(pairs, first), rays, size,
             [&](std::size_t i) -> Hit& { return *pairs[i].hit; },
             [&](std::size_t i, std::size_t lane) {

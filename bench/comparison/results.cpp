@@ -5,6 +5,8 @@
 #include "bench/output/machine.h"
 #include "bench/output/whole_file.h"
 
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 
 namespace rayshoot {
@@ -22,6 +24,17 @@ std::string fact(const Json& document, const char* what, const char* part, const
     return std::string("- ") + what + ": " + text_of(document, part, key) + "\n";
 }
 
+/// Of a share.
+std::string fact_in_percent(const Json& document, const char* what, const char* part,
+                            const char* key) {
+    if (!document.contains(part) || !document[part].contains(key) ||
+        !document[part][key].is_number())
+        return fact(document, what, part, key);
+    std::ostringstream percent;
+    percent << std::setprecision(3) << 100 * document[part][key].get<double>() << " %";
+    return std::string("- ") + what + ": " + percent.str() + "\n";
+}
+
 std::string provenance_text(const Json& document) {
     return fact(document, "processor", "provenance", "processor") +
            fact(document, "date", "provenance", "date") +
@@ -35,15 +48,16 @@ std::string provenance_text(const Json& document) {
            fact(document, "protocol", "settings", "protocol") +
            fact(document, "rays are recorded from an image of width", "settings", "width") +
            fact(document, "and height", "settings", "height") +
-           fact(document,
-                "machine noise (half the interquartile range of a fixed piece of work, "
-                "over its median)",
-                "machine_noise", "relative_spread") +
-           fact(document,
-                "the control kernel moved, over the run, by (97.5 % less 2.5 % quantile of the "
-                "blocks' medians, over their median)",
-                "control", "moved") +
-           fact(document, "a run is void above", "control", "void_above") +
+           fact_in_percent(document,
+                           "machine noise (half the interquartile range of a fixed piece of work, "
+                           "over its median)",
+                           "machine_noise", "relative_spread") +
+           fact_in_percent(
+               document,
+               "the control kernel moved, over the run, by (97.5 % less 2.5 % quantile of the "
+               "blocks' medians, over their median)",
+               "control", "moved") +
+           fact_in_percent(document, "a run is void above", "control", "void_above") +
            fact(document, "this run is void", "control", "void");
 }
 

@@ -198,11 +198,9 @@ TEST(Packet, meets_anything_ray_by_ray) {
 TEST(Packet, is_not_made_of_rays_that_begin_all_over_the_place) {
     Packet packet;
     std::vector<Ray> rays(Packet::group, Ray{vec3(0), 0, vec3(0.5f, 1, 1.1f)});
-    rays[3].origin = vec3(2);
-    EXPECT_TRUE(packet.load(rays, Precision::standard, vec3(2)));
-    EXPECT_FALSE(packet.load(rays, Precision::standard, vec3(1.9f)));
-    rays[3].origin.y = 1;
-    EXPECT_TRUE(packet.load(rays, Precision::standard, vec3(1.9f)));
+    rays[3].origin.y = 2;
+    EXPECT_TRUE(packet.load(rays, Precision::standard, vec3(0, 2, 0)));
+    EXPECT_FALSE(packet.load(rays, Precision::standard, vec3(3, 1.9f, 3)));
 }
 
 TEST(Packet, is_not_made_of_rays_that_go_different_ways) {
