@@ -78,21 +78,21 @@ inline void WideBvh<Node>::follow(Packet& packet, std::size_t group, GroupWalk& 
     const Packet::Section section{group, 1};
     Beam beam = packet.beam(section);
     while (!walk.empty()) {
-        const auto [child, rays, entry] = walk.pop();
-        if (entry > beam.nearest) continue;
-        if (!child.interior()) {
-            visit_leaf<Q>(packet, rays << group * Packet::group, child.leaf(), count);
+        const GroupHalt halt = walk.pop();
+        if (halt.entry > beam.nearest) continue;
+        if (!halt.child.interior()) {
+            visit_leaf<Q>(packet, halt.rays << group * Packet::group, halt.child.leaf(), count);
             beam.nearest = packet.reach(section);
             continue;
         }
-        const Node& node = node_at(child);
+        const Node& node = node_at(halt.child);
         const auto [met, entries] = step(beam, node, count);
         alignas(32) std::array<float, Node::width> entry_of;
         simd::hn::Store(entries, simd::floats<Node::width>, entry_of.data());
         const std::uint32_t nearest = nearest_of(met, entries);
         const std::uint32_t places = simd::bits(simd::floats<Node::width>, met);
         const auto enter = [&](std::size_t place) {
-            admit(packet, group, rays, node, place, entry_of[place], walk, count);
+            admit(packet, group, halt.rays, node, place, entry_of[place], walk, count);
         };
         for_each(places & ~(1u << nearest), enter);
         for_each(places & 1u << nearest, enter);

@@ -229,7 +229,7 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
                                         float padding, C& count) {
     using namespace simd;
     using quads::tag, quads::V;
-    const auto& [a, b, c, numbers] = triangles;
+    const Vectors<V>&a = triangles.a, &b = triangles.b, &c = triangles.c;
     const std::uint32_t counted = (1u << 4 * size) - 1;
     const auto live = triangles.live();
     const auto count_lanes = [&](Event event, auto mask) {
@@ -241,7 +241,7 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
         const auto hit = clamped<V>({t, inside}, a, triangle_bounds(a, b, c), rays.origin,
                                     rays.inverse(), padding);
         count_lanes(Event::object_hit, hit.met);
-        accept_nearest(hit_of, numbers, rays.t_min, hit, u, v);
+        accept_nearest(hit_of, triangles.numbers, rays.t_min, hit, u, v);
     };
     if constexpr (P == Precision::watertight) {
         const WideShear<V> shear(rays.direction);
