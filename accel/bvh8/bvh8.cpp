@@ -3,6 +3,8 @@
 #include "accel/bvh8/layout.h"
 #include "accel/bvh8/wide_hlbvh.h"
 
+#include <algorithm>
+
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 namespace {
@@ -34,7 +36,8 @@ WideBvh<Node>::WideBvh(const BuildInput& input, const Options& chosen) {
                   .depth = static_cast<std::uint64_t>(tree.depth),
                   .bytes = nodes_.size() * sizeof(Node) + leaves_.bytes()};
     packets_ = chosen.flag("packets");
-    most_apart_ = input.geometry.bounds().size() * 0.125f;
+    const vec3 size = input.geometry.bounds().size();
+    most_apart_ = std::max({size.x, size.y, size.z}) / 8;
     in_flight_ = static_cast<std::size_t>(chosen.integer("flight", 1, most_flights));
 }
 

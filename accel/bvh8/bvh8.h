@@ -27,7 +27,8 @@ public:
         OptionInfo{"packets", "on|off", "on", "coherent rays go together, up to 64"},
         OptionInfo{"flight", "1 to 64", "16", "incoherent rays on their way at once"}};
     static constexpr std::size_t most_flights = 64;
-    /// Nodes that the beam round a packet meets before its groups go on by themselves.
+    /// Nodes below the root that the beam round a packet meets before its groups go on by
+    /// themselves.
     static constexpr int wide_steps = 24;
 
     struct Scratch {
@@ -99,7 +100,7 @@ private:
     PackedLeaves leaves_;
     std::array<const std::byte*, 2> firsts_;  ///< where the nodes and the leaves begin
     bool packets_ = true;
-    vec3 most_apart_;  ///< origins of the rays of a packet
+    float most_apart_ = 0;  ///< along an axis, origins of the rays of a packet
     std::size_t in_flight_ = 1;
     Footprint footprint_;
 };
@@ -121,7 +122,7 @@ inline void WideBvh<Node>::many(const RayBatch& batch, Answers<Q>& answers, Scra
     for (std::size_t i = 0; packets_ && i + Packet::group <= rays.size(); i += Packet::most) {
         const std::size_t whole_groups = (rays.size() - i) / Packet::group * Packet::group;
         const std::size_t size = std::min(Packet::most, whole_groups);
-        if (together(i, size)) continue;
+        if (together(i, size) || size == Packet::group) continue;
         for (std::size_t j = i; j < i + size; j += Packet::group) together(j, Packet::group);
     }
     trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);

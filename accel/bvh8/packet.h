@@ -4,11 +4,9 @@
 #include "accel/simd/rays_by_blocks.h"
 #include "accel/simd/transpose.h"
 
-#include <glm/vector_relational.hpp>
-
 #include <tuple>
 
-/// Rays that go nearly the same way, side by side, a register to a group.
+/// Rays that go nearly the same way, side by side.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// Some rays of a packet or of one of its groups, a bit each, the first one's lowest.
@@ -21,23 +19,24 @@ inline void for_each(std::uint64_t set, auto&& visit) {
 
 class Packet {
 public:
-    static constexpr std::size_t group = simd::widest, most = 64;
+    /// A group is one register or two, so that what is counted does not depend on the machine.
+    static constexpr std::size_t lanes = simd::widest, group = 16, most = 64;
     static constexpr RaySet everyone = (RaySet{1} << group) - 1;  ///< of a group
-    using V = simd::Floats<group>;
+    using V = simd::Floats<lanes>;
 
-    /// Some of the groups, one after the other.
+    /// The rays of some groups, one after the other.
     struct Section {
-        std::size_t first, count;
-        std::size_t end() const { return first + count; }
+        std::size_t first, end;
     };
 
     /// Whole groups, 64 rays at most, which stay where they are while the packet is in use. False,
     /// and no packet, where they do not go nearly the same way, or begin all over the place:
-    /// farther apart than `most_apart` along any axis.
-    bool load(std::span<const Ray> rays, Precision precision, const vec3& most_apart);
+    /// farther than `most_apart` along any axis.
+    bool load(std::span<const Ray> rays, Precision precision, float most_apart);
 
     std::size_t groups() const { return rays_.size() / group; }
-    Section all() const { return {0, groups()}; }
+    Section all() const { return {0, rays_.size()}; }
+    static Section one(std::size_t g) { return {g * group, (g + 1) * group}; }
     const Hit& hit(std::size_t ray) const { return hits_[ray]; }
 
     Beam beam(Section section) const;
@@ -73,10 +72,10 @@ private:
     /// The least and the largest coordinates.
     static std::pair<vec3, vec3> ends(const Places& places, Section section);
     static V row(const Rows& rows, std::size_t first) {
-        return simd::hn::Load(simd::floats<group>, &rows[first]);
+        return simd::hn::Load(simd::floats<lanes>, &rows[first]);
     }
     static void put(V value, Rows& rows, std::size_t first) {
-        simd::hn::Store(value, simd::floats<group>, &rows[first]);
+        simd::hn::Store(value, simd::floats<lanes>, &rows[first]);
     }
     /// Takes them out of the set.
     static Some take_some(RaySet& rays);
@@ -94,9 +93,9 @@ private:
     std::array<std::size_t, 3> near_, far_;  ///< the same for all rays
 };
 
-inline bool Packet::load(std::span<const Ray> rays, Precision precision, const vec3& most_apart) {
+inline bool Packet::load(std::span<const Ray> rays, Precision precision, float most_apart) {
     using namespace simd;
-    constexpr auto tag = floats<group>;
+    constexpr auto tag = floats<lanes>;
     constexpr float most_spread = 0.25f;  // of directions, in units of the longest component
     rays_ = rays;
     precision_ = precision;
@@ -121,11 +120,12 @@ inline bool Packet::load(std::span<const Ray> rays, Precision precision, const v
         if (!one_sign || !(hi[axis] - lo[axis] < most_spread * longest)) return false;
     }
     const auto [from, to] = ends(origin_, all());
-    if (glm::any(glm::greaterThan(to - from, most_apart))) return false;
+    const vec3 apart = to - from;
+    if (std::max({apart.x, apart.y, apart.z}) > most_apart) return false;
     const SlabRay first(rays.front().origin, rays.front().direction);
     near_ = first.near;
     far_ = first.far;
-    for (std::size_t i = 0; i < rays.size(); i += group) {
+    for (std::size_t i = 0; i < rays.size(); i += lanes) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             put(hn::Div(hn::Set(tag, 1.0f), row(direction[axis], i)), inverse_.rows[axis], i);
         put(below(row(t_, i)), t_, i);
@@ -136,10 +136,10 @@ inline bool Packet::load(std::span<const Ray> rays, Precision precision, const v
 
 inline std::pair<vec3, vec3> Packet::ends(const Places& places, Section section) {
     using namespace simd;
-    constexpr auto tag = floats<group>;
-    auto lo = places.from(section.first * group), hi = lo;
-    for (std::size_t i = section.first + 1; i < section.end(); ++i) {
-        const auto next = places.from(i * group);
+    constexpr auto tag = floats<lanes>;
+    auto lo = places.from(section.first), hi = lo;
+    for (std::size_t i = section.first + lanes; i < section.end; i += lanes) {
+        const auto next = places.from(i);
         lo = {hn::Min(lo.x, next.x), hn::Min(lo.y, next.y), hn::Min(lo.z, next.z)};
         hi = {hn::Max(hi.x, next.x), hn::Max(hi.y, next.y), hn::Max(hi.z, next.z)};
     }
@@ -155,39 +155,43 @@ inline Beam Packet::beam(Section section) const {
     std::tie(beam.inverse_lo, beam.inverse_hi) = ends(inverse_, section);
     beam.near = near_;
     beam.far = far_;
-    V earliest = row(t_min_, section.first * group);
-    for (std::size_t i = section.first + 1; i < section.end(); ++i)
-        earliest = hn::Min(earliest, row(t_min_, i * group));
-    beam.t_min = hn::GetLane(hn::MinOfLanes(floats<group>, earliest));
+    V earliest = row(t_min_, section.first);
+    for (std::size_t i = section.first + lanes; i < section.end; i += lanes)
+        earliest = hn::Min(earliest, row(t_min_, i));
+    beam.t_min = hn::GetLane(hn::MinOfLanes(floats<lanes>, earliest));
     beam.nearest = reach(section);
     return beam;
 }
 
 inline float Packet::reach(Section section) const {
-    V farthest = row(t_, section.first * group);
-    for (std::size_t i = section.first + 1; i < section.end(); ++i)
-        farthest = simd::hn::Max(farthest, row(t_, i * group));
-    return simd::hn::GetLane(simd::hn::MaxOfLanes(simd::floats<group>, farthest));
+    V farthest = row(t_, section.first);
+    for (std::size_t i = section.first + lanes; i < section.end; i += lanes)
+        farthest = simd::hn::Max(farthest, row(t_, i));
+    return simd::hn::GetLane(simd::hn::MaxOfLanes(simd::floats<lanes>, farthest));
 }
 
 template <class Bounds>
 [[gnu::always_inline]] inline RaySet Packet::enter(std::size_t g, const Bounds& boxes,
                                                    std::size_t box) const {
     using namespace simd;
-    const std::size_t first = g * group;
-    const auto origin = origin_.from(first), inverse = inverse_.from(first);
-    V entry = row(t_min_, first), exit = row(t_, first);
-    const auto narrow = [&](std::size_t axis, V from, V scale) {
-        const auto at = [&](std::size_t place) {
-            return hn::Set(floats<group>, plane(boxes, axis, place, box));
+    RaySet entering = 0;
+    for (std::size_t i = 0; i < group; i += lanes) {
+        const std::size_t first = g * group + i;
+        const auto origin = origin_.from(first), inverse = inverse_.from(first);
+        V entry = row(t_min_, first), exit = row(t_, first);
+        const auto narrow = [&](std::size_t axis, V from, V scale) {
+            const auto at = [&](std::size_t place) {
+                return hn::Set(floats<lanes>, plane(boxes, axis, place, box));
+            };
+            entry = larger(hn::Mul(hn::Sub(at(near_[axis]), from), scale), entry);
+            exit = smaller(hn::Mul(hn::Sub(at(far_[axis]), from), scale), exit);
         };
-        entry = larger(hn::Mul(hn::Sub(at(near_[axis]), from), scale), entry);
-        exit = smaller(hn::Mul(hn::Sub(at(far_[axis]), from), scale), exit);
-    };
-    narrow(0, origin.x, inverse.x);
-    narrow(1, origin.y, inverse.y);
-    narrow(2, origin.z, inverse.z);
-    return bits(floats<group>, hn::Le(entry, exit));
+        narrow(0, origin.x, inverse.x);
+        narrow(1, origin.y, inverse.y);
+        narrow(2, origin.z, inverse.z);
+        entering |= RaySet{bits(floats<lanes>, hn::Le(entry, exit))} << i;
+    }
+    return entering;
 }
 
 inline Packet::Some Packet::take_some(RaySet& rays) {

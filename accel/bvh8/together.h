@@ -75,7 +75,7 @@ template <class Node>
 template <Query Q, Counter C>
 inline void WideBvh<Node>::follow(Packet& packet, std::size_t group, GroupWalk& walk,
                                   C& count) const {
-    const Packet::Section section{group, 1};
+    const Packet::Section section = Packet::one(group);
     Beam beam = packet.beam(section);
     while (!walk.empty()) {
         const GroupHalt halt = walk.pop();

@@ -6,7 +6,7 @@
 namespace rayshoot {
 namespace {
 
-const vec3 anywhere(infinity);  ///< origins may be as far apart as they like
+constexpr float anywhere = infinity;  ///< origins may be as far apart as they like
 
 std::vector<Ray> rays_about(const vec3& towards, float spread, float apart, cases::Random& random) {
     const vec3 origin = random.in_cube(3);
@@ -199,8 +199,8 @@ TEST(Packet, is_not_made_of_rays_that_begin_all_over_the_place) {
     Packet packet;
     std::vector<Ray> rays(Packet::group, Ray{vec3(0), 0, vec3(0.5f, 1, 1.1f)});
     rays[3].origin.y = 2;
-    EXPECT_TRUE(packet.load(rays, Precision::standard, vec3(0, 2, 0)));
-    EXPECT_FALSE(packet.load(rays, Precision::standard, vec3(3, 1.9f, 3)));
+    EXPECT_TRUE(packet.load(rays, Precision::standard, 2));
+    EXPECT_FALSE(packet.load(rays, Precision::standard, 1.9f));
 }
 
 TEST(Packet, is_not_made_of_rays_that_go_different_ways) {
