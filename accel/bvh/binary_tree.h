@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <stdexcept>
 
 /// What the builders of hierarchies make: boxes in, tree out. They know nothing of layouts.
 namespace rayshoot::inline RAYSHOOT_ISA {
@@ -25,7 +26,10 @@ struct BinaryTree {
     int depth = 0;  ///< of the deepest leaf; the root's is 0
 
     BinaryTree() = default;
-    explicit BinaryTree(std::size_t boxes) : nodes(2 * boxes, PageUse::sparse), order(boxes) {}
+    /// Throws std::length_error for more than most_boxes.
+    explicit BinaryTree(std::size_t boxes)
+        : nodes(2 * checked(boxes), PageUse::sparse), order(boxes) {}
+    static constexpr std::size_t most_boxes = std::size_t{1} << 31;  ///< places have 32 bits
 
     /// The boxes before and after place `middle` of the order are parted nowhere else, so the place
     /// of the pair that parts them needs no counter, and is free whatever else is built meanwhile.
@@ -33,6 +37,12 @@ struct BinaryTree {
     /// From here on a sub-tree over the boxes from place `first` on may put its pairs side by side.
     static std::uint32_t pairs_from(std::uint32_t first) { return pair_at(first) + 2; }
     static std::uint32_t sibling(std::uint32_t node) { return node ^ 1; }
+
+private:
+    static std::size_t checked(std::size_t boxes) {
+        if (boxes > most_boxes) throw std::length_error("a binary tree over more than 2^31 boxes");
+        return boxes;
+    }
 };
 
 /// Of a sub-tree.

@@ -12,7 +12,7 @@ struct WideTree {
     RawArray<Node> nodes;  ///< the root first, even when there is nothing in it
     PackedLeaves leaves;
     std::uint32_t leaf_count = 0;
-    int depth = 0;  ///< of the deepest leaf in the binary tree; the root's is 0
+    int depth = 0;  ///< of the deepest leaf, in levels of the binary tree it was made from
 };
 
 /// Nodes and leaves stand depth first, but for the topmost nodes, which come before all others. In

@@ -51,7 +51,7 @@ struct alignas(sizeof(Bounds) > 64 ? 64 : 32) WideNode {
     static constexpr std::size_t width = Bounds::width;
     static_assert(width <= most_children);
 
-    Bounds bounds;                              ///< empty where there is no child
+    Bounds bounds;                              ///< met by no ray where there is no child
     std::array<std::uint32_t, width> children;  ///< bits of a WideChild each
 
     WideNode() { children.fill(WideChild::none().bits()); }

@@ -48,7 +48,7 @@ inline const float* numbers_from(const std::uint32_t& first) {
     return reinterpret_cast<const float*>(&first);
 }
 
-/// Whatever has no pair of its own is given one that nothing comes of.
+/// Where there are not as many pairs: an empty block.
 template <class Block>
 inline void fill(RaysAndBlocks<Block>& pairs, std::size_t size, Hit& nobody) {
     static constexpr Block nothing;
@@ -222,7 +222,8 @@ enum class Misses { leave, go_on };
 
 /// Tests each ray against its four triangles as test() of triangle_block.h does, or
 /// test_watertight(): the same bits. Only the first `size` rays count, but all are given hits.
-/// `in_double(ray, lane)`: for what float cannot decide. Returns whether a ray's line met any.
+/// `in_double(ray, lane)`: for what float cannot decide. Returns false only
+/// if surely no hit has changed.
 template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
 [[gnu::always_inline]] inline bool test(const QuadsOfTriangles& triangles, const QuadsOfRays& rays,
                                         std::size_t size, HitOf&& hit_of, InDouble&& in_double,
