@@ -25,6 +25,7 @@ struct Footprint {
     std::optional<std::uint64_t> depth = std::nullopt;  ///< of the deepest leaf; the root's is 0
     std::optional<std::uint64_t> bytes =
         std::nullopt;  ///< the structure without the geometry it refers to
+    std::string remark = {};  ///< what its builder has to say: that it stopped at a bound, say
 };
 
 /// Scratch, caches, lazily built parts, counters. Not re-entrant: one lane at a time.

@@ -110,6 +110,12 @@ Table count_table(const Json& document) {
     return table;
 }
 
+/// What the builder has to say, on a line of its own; empty where it says nothing.
+std::string remarks(const Json& document) {
+    const auto remark = document["footprint"]["remark"].get<std::string>();
+    return remark.empty() ? remark : "note: " + remark + '\n';
+}
+
 int count(const CountArguments& arguments, const Invocation& invocation) {
     const Rules rules = parse_rules(arguments.rules);
     require_spec(invocation.catalogue, arguments.structure);
@@ -144,7 +150,7 @@ int count(const CountArguments& arguments, const Invocation& invocation) {
     document["build_seconds"] = build_seconds;
     document["seconds"] = counted.seconds;
     if (arguments.json) print_json(invocation.out, document);
-    else invocation.out << to_text(count_table(document));
+    else invocation.out << to_text(count_table(document)) << remarks(document);
     return 0;
 }
 

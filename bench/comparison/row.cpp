@@ -70,7 +70,8 @@ Json to_json(const Footprint& footprint) {
             {"empty_leaves", or_null(footprint.empty_leaves)},
             {"references", or_null(footprint.references)},
             {"depth", or_null(footprint.depth)},
-            {"bytes", or_null(footprint.bytes)}};
+            {"bytes", or_null(footprint.bytes)},
+            {"remark", footprint.remark}};
 }
 
 Json to_json(const Counters* counters) {

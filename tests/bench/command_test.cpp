@@ -52,7 +52,7 @@ TEST(Count, has_the_documented_keys) {
     for (const char* kind : {"camera", "shadow", "secondary"})
         expect_keys(document["rays"][kind], counter_keys);
     expect_keys(document["footprint"],
-                {"interior", "leaves", "empty_leaves", "references", "depth", "bytes"});
+                {"interior", "leaves", "empty_leaves", "references", "depth", "bytes", "remark"});
     EXPECT_EQ(document["rays"]["camera"]["rays"], 256);
     EXPECT_GT(document["rays"]["camera"]["hits"], 0);
     EXPECT_EQ(document["primitives"], 16);

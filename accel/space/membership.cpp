@@ -1,0 +1,49 @@
+#include "accel/space/membership.h"
+
+#include <algorithm>
+
+namespace rayshoot::inline RAYSHOOT_ISA {
+namespace {
+
+/// Havran 1999: boxes thinner than this are widened by as much on each side; in scene units.
+constexpr float thin = 0.02f;
+/// ... and the box of the scene by this.
+constexpr float scene_margin = 0.001f;
+
+Box widened(Box box) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (box.hi[axis] - box.lo[axis] < thin) {
+            box.lo[axis] -= thin;
+            box.hi[axis] += thin;
+        }
+    return box;
+}
+
+}  // namespace
+
+Membership::Membership(const BuildInput& input, Overlap overlap)
+    : geometry_(&input.geometry), overlap_(overlap), space_(input.geometry.bounds()) {
+    if (geometry_->size() == 0) return;
+    if (overlap == Overlap::havran) {
+        for (const Box& box : geometry_->all_bounds()) {
+            boxes_.push_back(widened(box));
+            space_.include(boxes_.back());
+        }
+        space_ = space_.grown(scene_margin);
+    }
+    if (overlap != Overlap::exact) return;
+    centre_ = geometry_->bounds().centre();
+    const vec3 size = geometry_->bounds().size();
+    reach_ = std::sqrt(dot(size, size));
+    if (input.view) {
+        const vec3 to_eye = input.view->eye - centre_;
+        reach_ = std::max(reach_, std::sqrt(dot(to_eye, to_eye)) + input.view->lens_radius);
+    }
+    reach_ *= 1 + 0x1p-20f;
+    radius_ = geometry_->error_radius(reach_ * (1 + 0x1p-20f));
+    // The radius is the largest of several that each grow with the distance, steadily.
+    const float far = 0x1p20f * reach_;
+    radius_per_distance_ = geometry_->error_radius(far) / far * (1 + 0x1p-10f);
+}
+
+}  // namespace rayshoot::inline RAYSHOOT_ISA
