@@ -254,12 +254,12 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
         offer(at.t, at.u, at.v, hn::And(left, hn::Eq(at.t, at.t)));
     } else {
         const Vectors<V> e1 = b - a, e2 = c - a;
-        const WideSums<V> sums(a, e1, e2, rays.origin, rays.direction);
-        const V sizes = hn::Mul(taxicab(e1), taxicab(e2));
-        const auto trusted = sums.trusted(hn::Mul(sizes, rays.direction_size));
-        const auto inside = hn::And(trusted, sums.inside());
-        const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, live)) & counted;
-        if (M == Misses::leave && hn::AllFalse(tag, inside) && untrusted == 0) return false;
+        const WideSums<V> sums(a, e1, e2, rays.origin, rays.direction, rays.direction_size);
+        const auto near = hn::AndNot(sums.outside(), live);
+        if (M == Misses::leave && hn::AllFalse(tag, near)) return false;
+        const auto trusted = sums.trusted();
+        const auto inside = hn::And(hn::And(near, trusted), sums.inside());
+        const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, near)) & counted;
         offer(hn::Div(sums.t, sums.det), hn::Div(sums.u, sums.det), hn::Div(sums.v, sums.det),
               inside);
         for (std::uint32_t rest = untrusted; rest != 0; rest &= rest - 1) [[unlikely]] {

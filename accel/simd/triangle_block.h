@@ -58,11 +58,13 @@ struct alignas(32) TriangleBlock {
 
 /// TriangleSums and the float test's conditions in every lane.
 template <class V>
-struct WideSums {
+class WideSums {
+public:
     V det, u, v, t;
 
+    /// `direction_size`: in taxicab lengths.
     WideSums(const simd::Vectors<V>& a, const simd::Vectors<V>& e1, const simd::Vectors<V>& e2,
-             const simd::Vectors<V>& origin, const simd::Vectors<V>& direction) {
+             const simd::Vectors<V>& origin, const simd::Vectors<V>& direction, V direction_size) {
         using namespace simd;
         const Vectors<V> p = cross(direction, e2), s = origin - a, q = cross(s, e1);
         const V signed_det = dot(e1, p);
@@ -71,21 +73,34 @@ struct WideSums {
         u = hn::Xor(dot(s, p), sign);
         v = hn::Xor(dot(direction, q), sign);
         t = hn::Xor(dot(e2, q), sign);
+        const V size1 = taxicab(e1), size2 = taxicab(e2), edges = hn::Add(size1, size2);
+        scale_ = hn::Mul(hn::Mul(size1, size2), direction_size);
+        largest_ = hn::Mul(direction_size, hn::Mul(edges, hn::Add(taxicab(s), edges)));
     }
     auto inside() const {
         using namespace simd;
         return hn::And(hn::And(hn::Ge(u, all(0)), hn::Ge(v, all(0))), hn::Le(hn::Add(u, v), det));
     }
-    /// `scale`: |e1| |e2| |d| in taxicab lengths.
-    auto trusted(V scale) const {
+    auto outside() const {
         using namespace simd;
-        return hn::And(
-            hn::Gt(det, hn::Mul(all(float_parallel), scale)),
-            hn::And(hn::Gt(det, all(smallest_determinant)), hn::Lt(det, all(largest_determinant))));
+        const V error = hn::Mul(all(sum_error), largest_), below = hn::Neg(error);
+        return hn::And(in_range(largest_), hn::Or(hn::Lt(hn::Min(u, v), below),
+                                                  hn::Gt(hn::Add(u, v), hn::Add(det, error))));
+    }
+    auto trusted() const {
+        return simd::hn::And(simd::hn::Gt(det, simd::hn::Mul(all(float_parallel), scale_)),
+                             in_range(det));
     }
 
 private:
     static V all(float x) { return simd::hn::Set(simd::hn::DFromV<V>(), x); }
+    static auto in_range(V x) {
+        using namespace simd;
+        return hn::And(hn::Gt(x, all(smallest_determinant)), hn::Lt(x, all(largest_determinant)));
+    }
+
+    V scale_;    ///< |e1| |e2| |d|
+    V largest_;  ///< largest_sum()
 };
 
 /// Triangles of a block that a ray's line meets, as the definition of a hit wants them (rules 1 and
@@ -103,14 +118,15 @@ inline BlockAnswer intersect(const TriangleBlock& block, const TestRay& ray, flo
     const Vectors<V> a = block.corners(0), b = block.corners(1), c = block.corners(2);
     const Vectors<V> e1 = b - a, e2 = c - a;
     const WideSums<V> sums(a, e1, e2, everywhere<TriangleBlock::width>(ray.origin),
-                           everywhere<TriangleBlock::width>(ray.direction));
-    const V sizes = hn::Mul(taxicab(e1), taxicab(e2));
-    const auto trusted = sums.trusted(hn::Mul(sizes, hn::Set(tag, ray.direction_size)));
-    const auto inside = hn::And(trusted, sums.inside());
+                           everywhere<TriangleBlock::width>(ray.direction),
+                           hn::Set(tag, ray.direction_size));
+    const auto near = hn::AndNot(sums.outside(), live_lanes(tag, block.primitive));
     BlockAnswer answer;
-    answer.met = bits(tag, inside);
-    answer.untrusted = bits(tag, hn::AndNot(trusted, live_lanes(tag, block.primitive)));
-    if (answer.met == 0) return answer;
+    answer.met = answer.untrusted = 0;
+    if (hn::AllFalse(tag, near)) return answer;
+    const auto trusted = sums.trusted();
+    const auto inside = hn::And(hn::And(near, trusted), sums.inside());
+    answer.untrusted = bits(tag, hn::AndNot(trusted, near));
     const auto hit = clamped<V>({hn::Div(sums.t, sums.det), inside}, a, triangle_bounds(a, b, c),
                                 everywhere<TriangleBlock::width>(ray.origin),
                                 everywhere<TriangleBlock::width>(ray.inverse), padding);

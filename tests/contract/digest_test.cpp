@@ -8,9 +8,9 @@ namespace rayshoot::contract {
 namespace {
 
 constexpr const char* golden_questions =
-    "a73e8cef2ee43cb1e7ff1cdbb3be15d0745055f04bfc7dbe5729e5859639eee4";
+    "9534e1aaa33fb5cd4b8c87e84289ec3256b182c0021f04362e43bb80aaaadad6";
 constexpr const char* golden_hits =
-    "dae405d27ddbf8612b68421e7d4546d8f24cc2b5121dac38aac4722c9a373d8a";
+    "1410c0804fbfc9e6b3a40f4d73e39dbfb7b69ba711b7df65c75a50d08bdf6ef7";
 
 TEST(Digest, of_the_questions_is_the_committed_one) {
     EXPECT_EQ(question_digest(make_cases({})), golden_questions);

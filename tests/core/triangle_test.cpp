@@ -99,6 +99,29 @@ TEST(Triangle, clear_hits_and_misses_agree_with_rational_arithmetic) {
     expect_exact_decisions(11, ordinary, 0x1p-30);
 }
 
+/// What float puts outside is never asked again in double: it has to be outside.
+TEST(Triangle, that_float_puts_outside_is_missed_in_rational_arithmetic) {
+    cases::Random random(17);
+    int outside = 0, barely = 0;
+    for (int i = 0; i < 40000; ++i) {
+        const Triangle triangle = cases::triangle(random);
+        const Ray ray = cases::ray_at(cases::spot_on(triangle, random), 1.0, random);
+        const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
+        const TriangleSums<float> sums(triangle.a, e1, e2, ray.origin, ray.direction);
+        const float apart = taxicab(ray.origin - triangle.a);
+        if (!sums.outside(largest_sum(taxicab(e1) + taxicab(e2), apart, taxicab(ray.direction))))
+            continue;
+        ++outside;
+        const Weights exact(triangle, ray);
+        if (exact.parallel) continue;
+        barely += exact.least() > -0x1p-10;
+        ASSERT_LT(exact.least(), 0)
+            << cases::print(ray) << " weights " << exact.a << ' ' << exact.b << ' ' << exact.c;
+    }
+    EXPECT_GT(outside, 2000);
+    EXPECT_GT(barely, 100);
+}
+
 TEST(Triangle, clear_hits_and_misses_agree_with_rational_arithmetic_when_watertight) {
     expect_exact_decisions(12, watertight, 0x1p-16);
 }

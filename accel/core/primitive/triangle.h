@@ -20,12 +20,15 @@ inline Box bounds(const Triangle& triangle) {
     return box;
 }
 
-/// Below this share of |e1| |e2| |d| (taxicab lengths) a float determinant is not trusted, and the
-/// test is redone in double; below the second a double one is not either: the ray is parallel.
-inline constexpr float float_parallel = 0x1p-10f;
-inline constexpr double double_parallel = 0x1p-39;
+/// Below this share of |e1| |e2| |d| (taxicab lengths) a float determinant is not trusted, and what
+/// may be a hit is decided in double; below the second a double one is not either: the ray is
+/// parallel.
+inline constexpr float float_parallel = 0x1p-7f;
+inline constexpr double double_parallel = 0x1p-36;
 /// Outside this range products of the float test may under- or overflow.
 inline constexpr float smallest_determinant = 0x1p-80f, largest_determinant = 0x1p80f;
+/// No sum of the float test is off by this share of the largest that it could be.
+inline constexpr float sum_error = 0x1p-20f;
 
 /// Moeller & Trumbore 1997, but without a division before the ray is known to hit.
 template <std::floating_point F>
@@ -46,7 +49,19 @@ struct TriangleSums {
     }
     /// False for NaN. One branch for its caller, not three that each go wrong now and then.
     bool inside() const { return (u >= 0) & (v >= 0) & (u + v <= det); }
+    /// Whether the line passes the triangle, whatever the rounding. `largest`: largest_sum().
+    bool outside(F largest) const {
+        const F error = sum_error * largest;
+        return (largest > smallest_determinant) & (largest < largest_determinant) &
+               ((u < -error) | (v < -error) | (u + v > det + error));
+    }
 };
+
+/// What |u|, |v| and |det| cannot exceed, from taxicab lengths: of e1 and e2 together, of s, of d.
+template <class F>
+F largest_sum(F edges, F apart, F direction) {
+    return direction * (edges * (apart + edges));
+}
 
 template <class Accept>
 [[gnu::noinline]] void intersect_in_double(const Triangle& triangle, const TestRay& ray,
@@ -65,7 +80,9 @@ template <class Accept>
 inline void intersect(const Triangle& triangle, const TestRay& ray, Accept&& accept) {
     const vec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
     const TriangleSums<float> sums(triangle.a, e1, e2, ray.origin, ray.direction);
-    const float scale = taxicab(e1) * taxicab(e2) * ray.direction_size;
+    const float size1 = taxicab(e1), size2 = taxicab(e2), apart = taxicab(ray.origin - triangle.a);
+    if (sums.outside(largest_sum(size1 + size2, apart, ray.direction_size))) return;
+    const float scale = size1 * size2 * ray.direction_size;
     const bool trusted = (sums.det > float_parallel * scale) & (sums.det > smallest_determinant) &
                          (sums.det < largest_determinant);
     if (!trusted) [[unlikely]]
