@@ -110,7 +110,7 @@ inline Interval clip(const SlabRay& ray, const Box& box, Interval within = {}) {
 /// Several boxes side by side, plane by plane (lo.x, lo.y, lo.z, hi.x, hi.y, hi.z): the layout of
 /// nodes.
 template <std::size_t Width>
-struct Boxes {
+struct alignas(Width * sizeof(float)) Boxes {
     static constexpr std::size_t width = Width;
 
     std::array<std::array<float, Width>, 6> planes;
