@@ -28,6 +28,7 @@ int execute(const Catalogue& catalogue, int argc, const char* const* argv, std::
     add_rays(app, invocation);
     add_bench(app, invocation);
     add_limits(app, invocation);
+    add_scaling(app, invocation);
     add_report(app, invocation);
     add_seed_question(app, invocation);
     try {

@@ -302,6 +302,28 @@ TEST(Limits, of_a_tiny_scene_has_the_documented_keys) {
     EXPECT_GT(document["shares"][2]["share"]["in flight"], 0);
 }
 
+TEST(Scaling, of_small_scenes_has_the_documented_keys) {
+    const Call measured =
+        call({"scaling", "--structure", "bvh", "--family", "tetra", "--most", "5000", "--rays",
+              "random", "--size", "16x16", "--repetitions", "2", "--json"});
+    ASSERT_EQ(measured.code, 0) << measured.err;
+    const Json document = measured.json();
+    EXPECT_EQ(document["document"], "scaling");
+    EXPECT_EQ(document["families"], Json::array({"tetra"}));
+    ASSERT_EQ(document["rows"].size(), 2u);
+    ASSERT_EQ(document["exponents"].size(), 5u);
+    for (const Json& entry : document["exponents"])
+        expect_keys(entry, {"family", "structure", "quantity", "kind", "exponent", "standard_error",
+                            "factor"});
+    EXPECT_NEAR(document["exponents"][1]["exponent"], 1, 0.2);  // bytes
+}
+
+TEST(Scaling, of_unknown_scenes_says_what_there_is) {
+    const Call refused = call({"scaling", "--structure", "bvh", "--family", "gears"});
+    EXPECT_NE(refused.code, 0);
+    EXPECT_NE(refused.err.find("tetra, balls, soup"), std::string::npos) << refused.err;
+}
+
 TEST(Report, makes_the_same_tables_again_from_raw_results) {
     const auto folder = fresh_folder("report");
     const std::string raw = (folder / "raw.json").string();
