@@ -69,7 +69,8 @@ void add_bench(CLI::App& app, Invocation& invocation) {
         "--protocol", arguments->plan.protocol,
         "What is not given by other options is this protocol's. speed: bvh8 "
         "against all of Embree's paths and build qualities on six scenes, "
-        "1024x1024, in 15 blocks; once for each number of threads, in a process of its own");
+        "1024x1024, in 15 blocks; once for each number of threads, in a process of its own. "
+        "subdivision: grid, octree and bsp likewise, 512x512");
     command->add_option("--builds", arguments->builds,
                         "Builds of each structure, in turns, at least (3)");
     command->add_option("--void-above", arguments->void_above,

@@ -78,7 +78,7 @@ std::vector<BadInput> table() {
         {with(bench, {"--builds", "0"}), "builds"},
         {with(bench, {"--void-above", "0"}), "--void-above"},
         {with(bench, {"--void-above", "nan"}), "--void-above"},
-        {{"bench", "--protocol", "fastest"}, "speed"},
+        {{"bench", "--protocol", "fastest"}, "speed, subdivision"},
         {with(bench, {"--protocol", "speed", "--repetitions", "14"}), "15"},
         {{"limits"}, "--scene"},
         {{"limits", "--scene", "soup:count=9", "--largest", "0"}, "--largest"},
