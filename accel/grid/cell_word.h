@@ -20,6 +20,8 @@ public:
         return CellWord(other_bit | empty_bit | static_cast<std::uint32_t>(clearance));
     }
 
+    static CellWord from(std::uint32_t bits) { return CellWord(bits); }
+
     bool is_leaf() const { return (bits_ & other_bit) == 0; }
     bool is_empty() const { return (bits_ & (other_bit | empty_bit)) == (other_bit | empty_bit); }
     std::uint32_t leaf() const { return bits_; }

@@ -1,5 +1,8 @@
 #include "accel/grid/grid.h"
 
+#include "accel/core/primitive/padding.h"
+
+#include <algorithm>
 #include <stdexcept>
 
 namespace rayshoot::inline RAYSHOOT_ISA {
@@ -43,17 +46,38 @@ GridSettings chosen_settings(const Options& chosen) {
             "skip", {{"none", Skip::none}, {"macro", Skip::macro}, {"distance", Skip::distance}})};
 }
 
+/// Havran 1999 finds cells by rounding down, so that what begins at a plane is not in the cell
+/// below it. Our stored bounds begin a rounding lower; as much lower are the planes. The margin of
+/// Havran's box is larger than this, or else nothing is done.
+float lowered_planes(const Geometry& geometry, const Box& space) {
+    if (geometry.size() == 0) return 0;
+    const float lowered = 4 * own_padding * largest_coordinate(space);
+    return space.grown(-2 * lowered).contains(geometry.bounds()) ? lowered : 0;
+}
+
 }  // namespace
 
 Grid::Grid(const BuildInput& input, const Options& chosen)
     : membership_(input, chosen_overlap(chosen)) {
-    const GridSettings settings = chosen_settings(chosen);
+    GridSettings settings = chosen_settings(chosen);
+    if (chosen_overlap(chosen) == Overlap::havran)
+        settings.lowered = lowered_planes(input.geometry, membership_.space());
     const LeafKind kind = chosen_leaves(chosen);
     skip_ = settings.skip;
+    const bool lanes = kind == LeafKind::packed && skip_ != Skip::macro;
+    abreast_ = chosen.flag("abreast") && lanes;
+    packets_ = chosen.flag("packets") && lanes;
     GridTree tree = build_grid_tree(input, membership_, settings);
     if (!tree.grids.empty()) {
         const Lattice& outermost = tree.grids.front().lattice;
         space_ = {outermost.lo(), outermost.box(outermost.last()).hi};
+        nearby_ = {space_.lo - Flock::most_cells_away * outermost.step(),
+                   space_.hi + Flock::most_cells_away * outermost.step()};
+        const bool in_range = finite(outermost.per_step());
+        abreast_ = abreast_ && in_range;
+        packets_ = packets_ && in_range;
+        const vec3 size = space_.size();
+        most_apart_ = std::max({size.x, size.y, size.z}) / 8;
     }
     const std::uint64_t leaves = tree.leaves.size(), references = tree.members.size();
     leaves_ = CellLeaves(input.geometry, kind, chosen.flag("mailbox"), tree);

@@ -2,7 +2,9 @@
 
 #include "accel/core/session.h"
 #include "accel/grid/cell_leaves.h"
+#include "accel/grid/flock.h"
 #include "accel/grid/layers.h"
+#include "accel/grid/sweep.h"
 #include "accel/grid/walk.h"
 
 /// Regular grid: space in equal boxes, each with the objects in it, and grids in its cells where
@@ -30,6 +32,10 @@ public:
         OptionInfo{"leaf", "1 to 1000", "8", "most primitives in a cell that is not divided"},
         OptionInfo{"top", "0.001 to 64", "0.12",
                    "cells per primitive of the upper grid with nested=two_level"},
+        OptionInfo{"abreast", "on|off", "on",
+                   "rays side by side, a lane each; for leaves=packed and not skip=macro"},
+        OptionInfo{"packets", "on|off", "on",
+                   "coherent rays together, slice by slice; for leaves=packed and not skip=macro"},
         OptionInfo{"bound", "1 to 100000", "64", "most references per primitive, by boxes"}};
     static constexpr std::array<std::string_view, 14> configurations{
         "grid",
@@ -49,12 +55,16 @@ public:
 
     struct Scratch {
         Mailbox mailbox;
+        Flock flock;
+        Packet packet;
+
+        std::size_t bytes() const { return sizeof(*this); }
     };
 
     Grid(const BuildInput& input, const Options& chosen);
 
     template <Query Q, Counter C>
-    bool one(const Ray& ray, Source, Hit& hit, Scratch& scratch, C& count) const;
+    void many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch, C& count) const;
     Footprint footprint() const { return footprint_; }
 
 private:
@@ -69,10 +79,43 @@ private:
         C& count;
     };
 
+    /// Some rays of a batch.
+    struct Part {
+        std::span<const Ray> rays;
+        std::size_t first = 0;  ///< place of the first one in the batch
+    };
+
     template <Query Q>
     static bool over(const Hit& hit) {
         return Q == Query::occluded && hit.primitive != no_primitive;
     }
+    template <Counter C>
+    Search<C> search_for(const TestRay& ray, float extra, Hit& hit, Scratch& scratch,
+                         C& count) const;
+    template <Query Q, Counter C>
+    void trace_alone(const Ray& ray, Hit& hit, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    void trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    void trace_abreast(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    bool trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    int visit_slice(const Sweep& sweep, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    void visit_cell(CellWord word, const Box& box, RaySet rays, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    [[gnu::noinline]] void visit_others(CellWord word, const Box& box, RaySet rays,
+                                        Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    bool start(const Ray& ray, std::size_t number, std::size_t lane, Answers<Q>& answers,
+               Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    LaneSet visit_leaves(LaneSet lanes, Scratch& scratch, C& count) const;
+    template <Query Q, class Block, Counter C>
+    void visit_blocks(LaneSet lanes, Flock& flock, C& count) const;
+    template <Query Q, Counter C>
+    void visit_other(std::size_t lane, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
     void enter(const SubGrid& grid, float t, Search<C>& search) const;
     template <Query Q, Counter C>
@@ -81,6 +124,7 @@ private:
     [[gnu::noinline]] void walk_layers(const SubGrid& grid, Search<C>& search) const;
     template <Query Q, Counter C>
     CellWord visit(const SubGrid& grid, const Cell& cell, float t, Search<C>& search) const;
+    void fetch(CellWord word) const;
     bool runs_in_a_plane(const Lattice& lattice, const SlabRay& ray) const;
 
     Membership membership_;
@@ -88,25 +132,63 @@ private:
     PagedVector<CellWord> cells_;
     CellLeaves leaves_;
     Skip skip_ = Skip::none;
-    Box space_;  ///< of the outermost grid's cells; empty where there are none
+    bool abreast_ = false, packets_ = false;
+    float most_apart_ = 0;  ///< along an axis, origins of the rays of a packet
+    Box space_;             ///< of the outermost grid's cells; empty where there are none
+    Box nearby_;            ///< where rays may begin that go abreast
     Footprint footprint_;
 };
 
 template <Query Q, Counter C>
-inline bool Grid::one(const Ray& incoming, Source, Hit& hit, Scratch& scratch, C& count) const {
-    const TestRay ray = leaves_.prepared(incoming);
-    const float extra = membership_.extra(incoming);
-    const auto unbounded = [&](int axis) { return !(std::abs(ray.inverse[axis]) < infinity); };
-    Search<C> search{ray, extra, unbounded(0) || unbounded(1) || unbounded(2), hit, scratch, count};
-    if (leaves_.uses_mailbox()) scratch.mailbox.forget();
-    if (grids_.empty()) return true;
-    if (extra > 0) [[unlikely]] {
-        walk_layers<Q>(grids_.front(), search);
+inline void Grid::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch,
+                       C& count) const {
+    const std::span<const Ray> rays = batch.rays;
+    std::size_t waiting = 0;  // the first ray that has not been traced
+    const auto together = [&](std::size_t first, std::size_t size) {
+        if (!trace_together<Q>({rays.subspan(first, size), first}, answers, scratch, count))
+            return false;
+        trace_each<Q>({rays.subspan(waiting, first - waiting), waiting}, answers, scratch, count);
+        waiting = first + size;
         return true;
+    };
+    for (std::size_t i = 0; packets_ && i + Packet::group <= rays.size(); i += Packet::most) {
+        const std::size_t whole_groups = (rays.size() - i) / Packet::group * Packet::group;
+        const std::size_t size = std::min(Packet::most, whole_groups);
+        if (together(i, size) || size == Packet::group) continue;
+        for (std::size_t j = i; j < i + size; j += Packet::group) together(j, Packet::group);
     }
+    trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
+}
+
+template <Query Q, Counter C>
+inline void Grid::trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch,
+                             C& count) const {
+    constexpr std::size_t few = 4;  // for which a flock does not pay
+    if (abreast_ && part.rays.size() > few) return trace_abreast<Q>(part, answers, scratch, count);
+    for (std::size_t i = 0; i < part.rays.size(); ++i) {
+        Hit hit = nothing_yet(part.rays[i]);
+        trace_alone<Q>(part.rays[i], hit, scratch, count);
+        answers.store(part.first + i, hit);
+    }
+}
+
+template <Counter C>
+inline auto Grid::search_for(const TestRay& ray, float extra, Hit& hit, Scratch& scratch,
+                             C& count) const -> Search<C> {
+    const auto unbounded = [&](int axis) { return !(std::abs(ray.inverse[axis]) < infinity); };
+    return {ray, extra, unbounded(0) || unbounded(1) || unbounded(2), hit, scratch, count};
+}
+
+template <Query Q, Counter C>
+inline void Grid::trace_alone(const Ray& incoming, Hit& hit, Scratch& scratch, C& count) const {
+    if (grids_.empty()) return;
+    const TestRay ray = leaves_.prepared(incoming);
+    Search<C> search = search_for(ray, membership_.extra(incoming), hit, scratch, count);
+    if (leaves_.uses_mailbox()) scratch.mailbox.forget();
+    if (search.extra > 0) [[unlikely]]
+        return walk_layers<Q>(grids_.front(), search);
     const Interval inside = clip(ray, space_, {incoming.t_min, hit.t});
     if (!inside.empty()) enter<Q>(grids_.front(), inside.entry, search);
-    return true;
 }
 
 /// At t the ray comes into a grid.
@@ -168,3 +250,6 @@ inline CellWord Grid::visit(const SubGrid& grid, const Cell& cell, float t,
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
+
+#include "accel/grid/abreast.h"
+#include "accel/grid/together.h"

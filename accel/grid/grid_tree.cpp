@@ -50,7 +50,9 @@ private:
     };
 
     Lattice outermost(std::span<const std::uint32_t> primitives) {
-        const Box& space = membership_.space();
+        Box space = membership_.space();
+        space.lo -= settings_.lowered;
+        space.hi -= settings_.lowered;
         Cell cells =
             settings_.resolution.cells(space, double(primitives.size()), settings_.top_density);
         const Cell wanted = cells;

@@ -18,6 +18,7 @@ struct GridSettings {
     std::uint32_t leaf = 8;  ///< a cell with more primitives gets a grid, if levels are left
     double bound = 64;       ///< references per primitive, by boxes, that are not exceeded
     Skip skip = Skip::none;
+    float lowered = 0;  ///< by which all planes of the outermost grid lie lower than its box says
 };
 
 /// One of the grids: its cells stand together.

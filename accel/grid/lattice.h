@@ -45,6 +45,7 @@ public:
     Cell last() const { return {cells_[0] - 1, cells_[1] - 1, cells_[2] - 1}; }
     const vec3& lo() const { return lo_; }
     const vec3& step() const { return step_; }
+    const vec3& per_step() const { return per_step_; }
 
     /// Lower plane of cell `i` along an axis, upper plane of cell i - 1. Rounded once, so a larger
     /// number never has a lower plane.

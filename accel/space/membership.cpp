@@ -9,6 +9,9 @@ namespace {
 constexpr float thin = 0.02f;
 /// ... and the box of the scene by this.
 constexpr float scene_margin = 0.001f;
+/// Diagonals of the scenes for which the error radius is derived: products neither over- nor
+/// underflow.
+constexpr float least_diagonal = 0x1p-30f, largest_diagonal = 0x1p30f;
 
 Box widened(Box box) {
     for (int axis = 0; axis < 3; ++axis)
@@ -34,7 +37,12 @@ Membership::Membership(const BuildInput& input, Overlap overlap)
     if (overlap != Overlap::exact) return;
     centre_ = geometry_->bounds().centre();
     const vec3 size = geometry_->bounds().size();
-    reach_ = std::sqrt(dot(size, size));
+    const float diagonal = std::sqrt(dot(size, size));
+    if (!(diagonal > least_diagonal && diagonal < largest_diagonal)) {
+        overlap_ = Overlap::bounds;
+        return;
+    }
+    reach_ = diagonal;
     if (input.view) {
         const vec3 to_eye = input.view->eye - centre_;
         reach_ = std::max(reach_, std::sqrt(dot(to_eye, to_eye)) + input.view->lens_radius);
