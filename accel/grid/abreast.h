@@ -134,7 +134,7 @@ inline void Grid::visit_blocks(LaneSet lanes, Flock& flock, C& count) const {
             pairs[together] = {&flock.ray(lane), &flock.hit(lane),
                                &leaves.block<Block>(leaf.first_block())};
         }
-        constexpr Misses misses = Q == Query::closest ? Misses::go_on : Misses::leave;
+        constexpr Misses misses = Misses::leave;  // most blocks are missed
         if constexpr (std::is_same_v<Block, SphereBlock>)
             rayshoot::test<misses>(pairs, together, padding, count);
         else if (leaves.precision() == Precision::standard)

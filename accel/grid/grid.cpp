@@ -1,6 +1,7 @@
 #include "accel/grid/grid.h"
 
 #include "accel/core/primitive/padding.h"
+#include "accel/grid/density.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -26,17 +27,24 @@ LeafKind chosen_leaves(const Options& chosen) {
     return kind;
 }
 
-GridSettings chosen_settings(const Options& chosen) {
+/// With density=auto grids in cells have the density of Jevans & Wyvill's.
+GridSettings chosen_settings(const Options& chosen, const Membership& membership,
+                             std::uint32_t primitives) {
+    constexpr double of_inner_grids = 3;
     const auto nested = chosen.choice<Nested>(
         "nested",
         {{"off", Nested::off}, {"recursive", Nested::recursive}, {"two_level", Nested::two_level}});
     const int depth = chosen.integer("depth", 2, 6);
-    const double density = chosen.number("density", 0.01, 64);
+    const Resolution resolution = Resolution::chosen(chosen, "resolution");
+    const bool automatic = chosen.text("density") == "auto";
+    const double density = automatic ? of_inner_grids : chosen.number("density", 0.01, 64);
     const double top = chosen.number("top", 0.001, 64);
     return {
-        .resolution = Resolution::chosen(chosen, "resolution"),
+        .resolution = resolution,
         .density = density,
-        .top_density = nested == Nested::two_level ? top : density,
+        .top_density = nested == Nested::two_level ? top
+                       : automatic ? cheapest_density(membership, resolution, primitives)
+                                   : density,
         .levels = nested == Nested::off         ? 1
                   : nested == Nested::two_level ? 2
                                                 : depth,
@@ -59,7 +67,7 @@ float lowered_planes(const Geometry& geometry, const Box& space) {
 
 Grid::Grid(const BuildInput& input, const Options& chosen)
     : membership_(input, chosen_overlap(chosen)) {
-    GridSettings settings = chosen_settings(chosen);
+    GridSettings settings = chosen_settings(chosen, membership_, input.geometry.size());
     if (chosen_overlap(chosen) == Overlap::havran)
         settings.lowered = lowered_planes(input.geometry, membership_.space());
     const LeafKind kind = chosen_leaves(chosen);

@@ -20,7 +20,8 @@ public:
     static constexpr std::array options{
         OptionInfo{"resolution", "cleary|woo|klimaszewski|AxBxC", "cleary",
                    "the rule for the numbers of cells, or the numbers"},
-        OptionInfo{"density", "0.01 to 64", "4", "cells per primitive"},
+        OptionInfo{"density", "auto|0.01 to 64", "auto",
+                   "cells per primitive; auto: what should cost a ray least"},
         OptionInfo{"overlap", "bounds|exact|havran", "exact",
                    "which primitives a cell holds: by their boxes, exactly, by Havran's boxes"},
         OptionInfo{"leaves", "packed|single", "packed", "tested by blocks or one by one"},
@@ -37,18 +38,21 @@ public:
         OptionInfo{"packets", "on|off", "on",
                    "coherent rays together, slice by slice; for leaves=packed and not skip=macro"},
         OptionInfo{"bound", "1 to 100000", "64", "most references per primitive, by boxes"}};
-    static constexpr std::array<std::string_view, 14> configurations{
+    static constexpr std::array<std::string_view, 17> configurations{
         "grid",
+        "grid:packets=off",
+        "grid:abreast=off,packets=off",
         "grid:resolution=woo,density=1,overlap=havran,leaves=single,skip=none",
         "grid:resolution=klimaszewski,density=10,overlap=bounds,skip=macro",
         "grid:resolution=35x35x35,overlap=havran,leaves=single,skip=none",
         "grid:density=1,overlap=bounds,leaves=single,mailbox=on,skip=none",
-        "grid:density=8,overlap=exact,leaves=single,mailbox=on,skip=distance",
+        "grid:density=8,overlap=exact,leaves=single,mailbox=on",
         "grid:density=0.1,overlap=bounds,skip=none",
         "grid:resolution=1x1x1",
-        "grid:overlap=bounds,bound=1",
-        "grid:density=3,overlap=havran,leaves=single,skip=none,nested=recursive",
+        "grid:density=64,overlap=bounds,bound=2",
+        "grid:density=3,overlap=havran,leaves=single,skip=none,nested=recursive,bound=1000",
         "grid:density=2,overlap=exact,nested=recursive,leaf=2,skip=macro",
+        "grid:density=2,overlap=bounds,nested=recursive,leaf=2,depth=2",
         "grid:density=2.4,nested=two_level",
         "grid:density=2.4,overlap=bounds,nested=two_level,top=1,leaf=1,skip=none",
         "grid:density=3,overlap=bounds,nested=recursive,leaf=1,depth=6,bound=3"};

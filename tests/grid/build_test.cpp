@@ -7,6 +7,7 @@
 #include "accel/core/catalogue.h"
 #include "accel/core/intersector.h"
 #include "accel/grid/cell_lists.h"
+#include "accel/grid/density.h"
 #include "accel/grid/grid_tree.h"
 #include "data/generators/generators.h"
 #include "tests/contract/scenes/shapes.h"
@@ -80,8 +81,12 @@ TEST(GridTree, is_the_same_for_any_number_of_threads) {
 }
 
 TEST(GridTree, divides_crowded_cells_down_to_its_levels) {
-    const GridTree tree =
-        tree_of(soup(2000, 0.2f), {.resolution = {}, .density = 2, .levels = 3, .leaf = 8});
+    const GridTree tree = tree_of(soup(2000, 0.2f), {.resolution = {},
+                                                     .density = 2,
+                                                     .top_density = 0.05,
+                                                     .levels = 3,
+                                                     .leaf = 4,
+                                                     .bound = 1000});
     EXPECT_EQ(tree.depth, 3);
     EXPECT_TRUE(tree.remark.empty());
 }
@@ -113,6 +118,24 @@ TEST(Clearance, is_the_distance_to_the_nearest_occupied_cell) {
             EXPECT_EQ(word.clearance(), nearest - 1);
         }
     });
+}
+
+/// The formula of the README, over all primitives instead of a sample.
+TEST(Density, is_the_cheapest_of_the_powers_of_two) {
+    for (const float length : {0.01f, 0.1f, 0.5f}) {
+        const Geometry geometry = soup(3000, length);
+        const Membership membership({geometry}, Overlap::bounds);
+        const auto cost = [&](double density) {
+            const Cell cells = Resolution{}.cells(membership.space(), 3000, density);
+            const Lattice lattice(membership.space(), cells);
+            const auto references = double(box_references(membership, lattice, all_of(geometry)));
+            return double(lattice.box({0, 0, 0}).half_area()) *
+                   (double(lattice.size()) + 3 * references);
+        };
+        const double chosen = cheapest_density(membership, {}, 3000);
+        for (double density = 0.125; density <= 32; density *= 2)
+            EXPECT_LE(cost(chosen), cost(density) * (1 + 1e-9)) << length;
+    }
 }
 
 Footprint footprint(const Geometry& geometry, const std::string& spec) {
