@@ -7,143 +7,175 @@
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 template <Query Q, Counter C>
-void Grid::trace_abreast(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const {
-    Flock& flock = scratch.flock;
-    const SubGrid& grid = grids_.front();
+struct Grid::Abreast {
+    const Grid& grid;
+    const Part& part;
+    Answers<Q>& answers;
+    Scratch& scratch;
+    C& count;
     LaneSet idle = (LaneSet{1} << Flock::size) - 1, walking = 0, waiting = 0;
-    const auto finish = [&](std::size_t lane) {
-        answers.store(flock.number(lane), flock.hit(lane));
-        idle |= LaneSet{1} << lane;
-    };
-    const auto came_to_cells = [&](LaneSet moved, LaneSet arrived) {
-        if constexpr (C::counts) {
-            const auto empty = static_cast<std::uint64_t>(std::popcount(moved & ~arrived));
-            count(Event::step, static_cast<std::uint64_t>(std::popcount(moved)));
-            count(Event::cell, empty);
-            count(Event::empty_cell, empty);
+    std::size_t next = 0;  ///< the first ray that has not begun
+
+    void trace() {
+        while (true) {
+            for_each_lane(idle, [&](std::size_t lane) { refill(lane); });
+            if ((walking | waiting) == 0) return;
+            step();
+            visit_leaves();
         }
-        for_each_lane(arrived, [&](std::size_t lane) { fetch(flock.word(lane)); });
-        walking |= moved & ~arrived;
-        waiting |= arrived;
-    };
-    for (std::size_t next = 0;;) {
-        for_each_lane(idle, [&](std::size_t lane) {
-            while (next < part.rays.size()) {
-                const std::size_t number = next++;
-                if (!start<Q>(part.rays[number], part.first + number, lane, answers, scratch,
-                              count))
-                    continue;
-                const LaneSet self = LaneSet{1} << lane;
-                idle &= ~self;
-                return came_to_cells(self, flock.word(lane).is_empty() ? 0 : self);
-            }
-        });
-        if ((walking | waiting) == 0) return;
-        // Until half of them wait: fewer would leave lanes without work for too long.
-        const int live = std::popcount(walking | waiting);
-        while (walking != 0 && 2 * std::popcount(walking) >= live)
-            for (std::size_t first = 0; first < Flock::size; first += Flock::width) {
-                const LaneSet lanes = ((LaneSet{1} << Flock::width) - 1) << first;
-                if ((walking & lanes) == 0) continue;
-                const auto stepped =
-                    flock.step(first, walking & lanes, grid.lattice, cells_.data());
-                walking &= ~lanes;
-                came_to_cells(stepped.moved, stepped.arrived);
-                for_each_lane(stepped.tied, [&](std::size_t lane) {
-                    Search<C> search =
-                        search_for(flock.ray(lane), 0, flock.hit(lane), scratch, count);
-                    walk<Q>(grid, flock.t(lane), search);
-                    finish(lane);
-                });
-                for_each_lane(stepped.ended, finish);
-            }
-        const LaneSet on = visit_leaves<Q>(std::exchange(waiting, 0), scratch, count);
-        for_each_lane(on, [&](std::size_t lane) {
-            if (over<Q>(flock.hit(lane))) return finish(lane);
-            flock.update(lane);
-            walking |= LaneSet{1} << lane;
-        });
+    }
+
+    void refill(std::size_t lane);
+    bool start(std::size_t number, std::size_t lane);
+    void step();
+    void came_to_cells(LaneSet moved, LaneSet arrived);
+    void visit_leaves();
+    template <class Block>
+    void visit_blocks(LaneSet lanes);
+    void visit_other(std::size_t lane);
+    void go_alone(std::size_t lane);
+
+    void finish(std::size_t lane) {
+        answers.store(flock().number(lane), flock().hit(lane));
+        idle |= LaneSet{1} << lane;
+    }
+    Flock& flock() const { return scratch.flock; }
+    const SubGrid& outermost() const { return grid.grids_.front(); }
+    Search<C> search(std::size_t lane) const {
+        return grid.search_for(flock().ray(lane), 0, flock().hit(lane), scratch, count);
+    }
+};
+
+template <Query Q, Counter C>
+inline void Grid::Abreast<Q, C>::refill(std::size_t lane) {
+    while (next < part.rays.size()) {
+        if (!start(next++, lane)) continue;
+        const LaneSet self = LaneSet{1} << lane;
+        idle &= ~self;
+        return came_to_cells(self, flock().word(lane).is_empty() ? 0 : self);
     }
 }
 
 /// Puts a ray into a lane; false if it needs none: it misses the grid, or has to go alone.
 template <Query Q, Counter C>
-inline bool Grid::start(const Ray& incoming, std::size_t number, std::size_t lane,
-                        Answers<Q>& answers, Scratch& scratch, C& count) const {
-    const SubGrid& grid = grids_.front();
-    const TestRay ray = leaves_.prepared(incoming);
+inline bool Grid::Abreast<Q, C>::start(std::size_t number, std::size_t lane) {
+    const Ray& incoming = part.rays[number];
+    const TestRay ray = grid.leaves_.prepared(incoming);
     Hit hit = nothing_yet(incoming);
-    const Search<C> search = search_for(ray, membership_.extra(incoming), hit, scratch, count);
-    const bool alone = search.extra > 0 || !nearby_.contains(incoming.origin) ||
-                       (search.along_planes && runs_in_a_plane(grid.lattice, ray));
+    const Search<C> search =
+        grid.search_for(ray, grid.membership_.extra(incoming), hit, scratch, count);
+    const Lattice& lattice = outermost().lattice;
+    const bool alone = search.extra > 0 || !grid.nearby_.contains(incoming.origin) ||
+                       (search.along_planes && grid.runs_in_a_plane(lattice, ray));
     if (alone) [[unlikely]] {
-        trace_alone<Q>(incoming, hit, scratch, count);
+        grid.trace_alone<Q>(incoming, hit, scratch, count);
     } else {
-        const Interval inside = clip(ray, space_, {incoming.t_min, hit.t});
+        const Interval inside = clip(ray, grid.space_, {incoming.t_min, hit.t});
         if (!inside.empty()) {
-            scratch.flock.start(lane, incoming, ray, hit, static_cast<std::uint32_t>(number),
-                                grid.lattice, inside.entry, cells_.data());
+            flock().start(lane, incoming, ray, hit, static_cast<std::uint32_t>(part.first + number),
+                          lattice, inside.entry, grid.cells_.data());
             return true;
         }
     }
-    answers.store(number, hit);
+    answers.store(part.first + number, hit);
     return false;
 }
 
-/// All leaves, and grids, that rays wait at. Returns the rays.
+/// Until half of the rays wait: fewer that walk would leave lanes without work for too long.
 template <Query Q, Counter C>
-inline LaneSet Grid::visit_leaves(LaneSet lanes, Scratch& scratch, C& count) const {
-    Flock& flock = scratch.flock;
-    LaneSet triangles = 0, spheres = 0;
-    for_each_lane(lanes, [&](std::size_t lane) {
-        const CellWord word = flock.word(lane);
-        const LaneSet self = LaneSet{1} << lane;
-        if (!word.is_leaf() || PackedLeaf::from(word.leaf()).is_mixed())
-            return visit_other<Q>(lane, scratch, count);
-        count(Event::cell);
-        (PackedLeaf::from(word.leaf()).only_triangles() ? triangles : spheres) |= self;
-    });
-    visit_blocks<Q, TriangleBlock>(triangles, flock, count);
-    visit_blocks<Q, SphereBlock>(spheres, flock, count);
-    return lanes;
+inline void Grid::Abreast<Q, C>::step() {
+    constexpr LaneSet one_register = (LaneSet{1} << Flock::width) - 1;
+    const int live = std::popcount(walking | waiting);
+    while (walking != 0 && 2 * std::popcount(walking) >= live)
+        for (std::size_t first = 0; first < Flock::size; first += Flock::width) {
+            const LaneSet lanes = one_register << first;
+            if ((walking & lanes) == 0) continue;
+            const auto stepped =
+                flock().step(first, walking & lanes, outermost().lattice, grid.cells_.data());
+            walking &= ~lanes;
+            came_to_cells(stepped.moved, stepped.arrived);
+            for_each_lane(stepped.tied, [&](std::size_t lane) { go_alone(lane); });
+            for_each_lane(stepped.ended, [&](std::size_t lane) { finish(lane); });
+        }
 }
 
 template <Query Q, Counter C>
-void Grid::visit_other(std::size_t lane, Scratch& scratch, C& count) const {
-    Flock& flock = scratch.flock;
-    const CellWord word = flock.word(lane);
-    Search<C> search = search_for(flock.ray(lane), 0, flock.hit(lane), scratch, count);
-    if (!word.is_leaf()) return enter<Q>(grids_[word.grid()], flock.t(lane), search);
+inline void Grid::Abreast<Q, C>::came_to_cells(LaneSet moved, LaneSet arrived) {
+    if constexpr (C::counts) {
+        const auto empty = static_cast<std::uint64_t>(std::popcount(moved & ~arrived));
+        count(Event::step, static_cast<std::uint64_t>(std::popcount(moved)));
+        count(Event::cell, empty);
+        count(Event::empty_cell, empty);
+    }
+    for_each_lane(arrived, [&](std::size_t lane) { grid.fetch(flock().word(lane)); });
+    walking |= moved & ~arrived;
+    waiting |= arrived;
+}
+
+/// From where it is to its end.
+template <Query Q, Counter C>
+void Grid::Abreast<Q, C>::go_alone(std::size_t lane) {
+    Search<C> rest = search(lane);
+    grid.walk<Q>(outermost(), flock().t(lane), rest);
+    finish(lane);
+}
+
+/// All leaves, and grids, that rays wait at.
+template <Query Q, Counter C>
+inline void Grid::Abreast<Q, C>::visit_leaves() {
+    LaneSet triangles = 0, spheres = 0;
+    for_each_lane(waiting, [&](std::size_t lane) {
+        const CellWord word = flock().word(lane);
+        const PackedLeaf leaf = PackedLeaf::from(word.leaf());
+        if (!word.is_leaf() || leaf.is_mixed()) return visit_other(lane);
+        count(Event::cell);
+        (leaf.only_triangles() ? triangles : spheres) |= LaneSet{1} << lane;
+    });
+    visit_blocks<TriangleBlock>(triangles);
+    visit_blocks<SphereBlock>(spheres);
+    for_each_lane(std::exchange(waiting, 0), [&](std::size_t lane) {
+        if (over<Q>(flock().hit(lane))) return finish(lane);
+        flock().update(lane);
+        walking |= LaneSet{1} << lane;
+    });
+}
+
+template <Query Q, Counter C>
+void Grid::Abreast<Q, C>::visit_other(std::size_t lane) {
+    const CellWord word = flock().word(lane);
+    Search<C> here = search(lane);
+    if (!word.is_leaf()) return grid.enter<Q>(grid.grids_[word.grid()], flock().t(lane), here);
     count(Event::cell);
-    leaves_.template test<Q>(word, search.ray, search.hit, scratch.mailbox, count);
+    grid.leaves_.template test<Q>(word, here.ray, here.hit, scratch.mailbox, count);
 }
 
 /// As many rays at once as fill a register, each with a block of its own leaf.
-template <Query Q, class Block, Counter C>
-inline void Grid::visit_blocks(LaneSet lanes, Flock& flock, C& count) const {
-    const PackedLeaves& leaves = leaves_.packed();
+template <Query Q, Counter C>
+template <class Block>
+inline void Grid::Abreast<Q, C>::visit_blocks(LaneSet lanes) {
+    const PackedLeaves& leaves = grid.leaves_.packed();
     const float padding = leaves.padding();
+    constexpr Misses misses = Misses::leave;  // most blocks are missed
     while (lanes != 0) {
         RaysAndBlocks<Block> pairs;
         std::array<std::size_t, rays_by_blocks> numbers;
         std::size_t together = 0;
         for (; together < rays_by_blocks && lanes != 0; ++together, lanes &= lanes - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-            const PackedLeaf leaf = PackedLeaf::from(flock.word(lane).leaf());
+            const PackedLeaf leaf = PackedLeaf::from(flock().word(lane).leaf());
             numbers[together] = lane;
-            pairs[together] = {&flock.ray(lane), &flock.hit(lane),
+            pairs[together] = {&flock().ray(lane), &flock().hit(lane),
                                &leaves.block<Block>(leaf.first_block())};
         }
-        constexpr Misses misses = Misses::leave;  // most blocks are missed
         if constexpr (std::is_same_v<Block, SphereBlock>)
             rayshoot::test<misses>(pairs, together, padding, count);
         else if (leaves.precision() == Precision::standard)
             rayshoot::test<Precision::standard, misses>(pairs, together, padding, count);
         else rayshoot::test<Precision::watertight, misses>(pairs, together, padding, count);
         for (std::size_t i = 0; i < together; ++i) {
-            const PackedLeaf leaf = PackedLeaf::from(flock.word(numbers[i]).leaf());
-            if (leaf.block_count() == 1 || over<Q>(flock.hit(numbers[i]))) continue;
-            flock.set_word(numbers[i], CellWord::leaf(leaf.after_first().bits()));
+            const PackedLeaf leaf = PackedLeaf::from(flock().word(numbers[i]).leaf());
+            if (leaf.block_count() == 1 || over<Q>(flock().hit(numbers[i]))) continue;
+            flock().set_word(numbers[i], CellWord::leaf(leaf.after_first().bits()));
             lanes |= LaneSet{1} << numbers[i];
         }
     }

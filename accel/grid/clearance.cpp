@@ -2,6 +2,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <atomic>
 #include <bit>
 #include <vector>
 
@@ -87,29 +89,40 @@ void spread_across(const Lattice& lattice, int along_y, int along_z, const Bitma
     });
 }
 
+/// Writes a clearance into the cells that are in one map and not in the other; whether there are
+/// any.
+bool write(int clearance, const Bitmap& in, const Bitmap& not_in, const Lattice& lattice,
+           std::span<CellWord> cells) {
+    std::atomic<bool> any = false;
+    for_each_layer(lattice, [&](int z) {
+        for (int y = 0; y < lattice.cells()[1]; ++y) {
+            CellWord* const row = &cells[lattice.number({0, y, z})];
+            for (std::size_t i = 0; i < in.words(); ++i) {
+                Bitmap::Word fresh = in.row(y, z)[i] & ~not_in.row(y, z)[i];
+                for (; fresh != 0; fresh &= fresh - 1) {
+                    const std::size_t x =
+                        i * Bitmap::width + static_cast<std::size_t>(std::countr_zero(fresh));
+                    if (x >= static_cast<std::size_t>(lattice.cells()[0])) break;
+                    row[x] = CellWord::empty(clearance);
+                    any.store(true, std::memory_order_relaxed);
+                }
+            }
+        }
+    });
+    return any;
+}
+
+/// Cells that the nth spreading reaches first have n - 1 empty ones all round. Those that none
+/// reaches have as many as can be told.
 void measure_distance(const Lattice& lattice, std::span<CellWord> cells) {
+    for (CellWord& word : cells)
+        if (word.is_empty()) word = CellWord::empty(CellWord::most_clearance);
     Bitmap near = occupied(lattice, cells), spread = near, scratch = near;
-    // The cells that are reached by the nth spreading have n - 1 empty ones all round.
-    for (int clearance = 0; clearance <= CellWord::most_clearance; ++clearance) {
+    for (int clearance = 0; clearance < CellWord::most_clearance; ++clearance) {
         spread_along_rows(lattice, near, spread);
         spread_across(lattice, 1, 0, spread, scratch);
         spread_across(lattice, 0, 1, scratch, spread);
-        const bool last = clearance == CellWord::most_clearance;
-        for_each_layer(lattice, [&](int z) {
-            for (int y = 0; y < lattice.cells()[1]; ++y) {
-                CellWord* const row = &cells[lattice.number({0, y, z})];
-                for (std::size_t i = 0; i < near.words(); ++i) {
-                    Bitmap::Word fresh =
-                        (last ? ~Bitmap::Word{0} : spread.row(y, z)[i]) & ~near.row(y, z)[i];
-                    for (; fresh != 0; fresh &= fresh - 1) {
-                        const std::size_t x =
-                            i * Bitmap::width + static_cast<std::size_t>(std::countr_zero(fresh));
-                        if (x < static_cast<std::size_t>(lattice.cells()[0]))
-                            row[x] = CellWord::empty(clearance);
-                    }
-                }
-            }
-        });
+        if (!write(clearance, spread, near, lattice, cells)) return;
         std::swap(near, spread);
     }
 }

@@ -11,9 +11,9 @@ namespace {
 /// Of a test, in steps: fitted to what densities from 1/2 to 16 took on the bunny, the dragon,
 /// balls and soups.
 constexpr double reference_cost = 3;
-constexpr std::uint32_t most_sampled = 4096;
+constexpr std::uint32_t most_sampled = 1024;
 /// Cells of one primitive that are asked one by one: of larger ones the boxes say enough.
-constexpr std::size_t most_asked = 512;
+constexpr std::size_t most_asked = 128;
 
 double references_of(const Membership& membership, const Lattice& lattice,
                      std::uint32_t primitive) {
@@ -31,7 +31,7 @@ double mean_references(const Membership& membership, const Lattice& lattice,
                        std::uint32_t primitives) {
     const std::uint32_t sampled = std::min(primitives, most_sampled);
     const double sum = tbb::parallel_reduce(
-        tbb::blocked_range<std::uint32_t>(0, sampled, 256), 0.0,
+        tbb::blocked_range<std::uint32_t>(0, sampled, 64), 0.0,
         [&](const auto& part, double partial) {
             for (std::uint32_t i = part.begin(); i < part.end(); ++i) {
                 const auto primitive =

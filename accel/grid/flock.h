@@ -48,6 +48,8 @@ public:
 
 private:
     using V = simd::Floats<width>;
+    using Mask = decltype(simd::hn::Lt(V{}, V{}));
+    static constexpr simd::hn::FixedTag<std::int32_t, width> numbers{};
     using Row = std::array<float, size>;
     struct Axis {
         Row origin, direction, inverse;
@@ -56,11 +58,24 @@ private:
         Row end;     ///< by which it leaves the lattice
     };
     struct Progress;
+    struct Ahead;
 
     static V load(const Row& row, std::size_t first) {
         return simd::hn::Load(simd::floats<width>, &row[first]);
     }
     static V all(float x) { return simd::hn::Set(simd::floats<width>, x); }
+    /// 1 for rays that ascend, else 0: a cell's upper plane has the number after the cell's.
+    static V upward(V stride) {
+        return simd::hn::IfThenElseZero(simd::hn::Gt(stride, all(0)), all(1));
+    }
+    static auto is_empty(simd::Words<width> words_of_cells) {
+        const auto others = simd::hn::Set(simd::words<width>, CellWord::empty().bits() - 1);
+        return simd::hn::Gt(words_of_cells, others);
+    }
+    V clearances(std::size_t first) const;
+    Ahead look_ahead(std::size_t first, const Lattice& lattice) const;
+    LaneSet move(std::size_t first, LaneSet moved, const Ahead& ahead, const Lattice& lattice,
+                 const CellWord* cells);
 
     alignas(64) std::array<Axis, 3> axes_;
     alignas(64) Row nearest_, t_;
@@ -102,105 +117,126 @@ inline void Flock::start(std::size_t i, const Ray& ray, const TestRay& prepared,
 
 /// Along one axis.
 struct Flock::Progress {
-    V origin, inverse, stride, place;
-    V most;  ///< cells to the last one that is empty for sure
-    V lo, cell_size;
+    V origin, direction, inverse, stride, place;
+    V to_end;  ///< cells to the last one of the lattice
+    V most;    ///< cells to the last one that is empty for sure
+    V lo, cell_size, per_size;
 
-    Progress(const Axis& axis, std::size_t first, V clearance, const vec3& lo_of, const vec3& step,
-             int a)
-        : origin(load(axis.origin, first)),
-          inverse(load(axis.inverse, first)),
-          stride(load(axis.stride, first)),
-          place(load(axis.place, first)),
-          lo(all(lo_of[a])),
-          cell_size(all(step[a])) {
-        using namespace simd;
-        const V to_end = hn::Mul(hn::Sub(load(axis.end, first), place), stride);
-        most = smaller(clearance, to_end);
-    }
+    Progress(const std::array<Axis, 3>& axes, std::size_t a, std::size_t first, V clearance,
+             const Lattice& lattice)
+        : origin(load(axes[a].origin, first)),
+          direction(load(axes[a].direction, first)),
+          inverse(load(axes[a].inverse, first)),
+          stride(load(axes[a].stride, first)),
+          place(load(axes[a].place, first)),
+          to_end(simd::hn::Mul(simd::hn::Sub(load(axes[a].end, first), place), stride)),
+          most(simd::smaller(clearance, to_end)),
+          lo(all(lattice.lo()[static_cast<int>(a)])),
+          cell_size(all(lattice.step()[static_cast<int>(a)])),
+          per_size(all(lattice.per_step()[static_cast<int>(a)])) {}
+
     /// Where the ray meets the plane so many cells on: the slab form.
     V leave(V on) const {
         using namespace simd;
         const V plane = hn::MulAdd(hn::MulAdd(on, stride, place), cell_size, lo);
         return hn::Mul(hn::Sub(plane, origin), inverse);
     }
-    /// To the first cell that the ray does not leave before t: how many cells.
-    V settle(V t, V direction, V per_step) const {
+    /// To the first cell that the ray does not leave before t: how many cells. A guess, and since
+    /// it is never a whole cell off, one correction.
+    V settle(V t) const {
         using namespace simd;
         const V from_lo = hn::Sub(hn::MulAdd(t, direction, origin), lo);
-        const V upward = hn::IfThenElseZero(hn::Gt(stride, hn::Zero(floats<width>)), all(1));
-        const V guess = hn::Add(hn::Floor(hn::Mul(from_lo, per_step)), upward);
+        const V guess = hn::Add(hn::Floor(hn::Mul(from_lo, per_size)), upward(stride));
         const V distance = hn::Mul(hn::Sub(guess, place), stride);
         // In this order NaN, of a ray that stands still along the axis, is no cell.
-        V on = smaller(larger(distance, hn::Zero(floats<width>)), most);
-        const auto before = hn::Lt(leave(on), t);
-        const auto beyond = hn::Ge(leave(hn::Sub(on, all(1))), t);
+        V on = smaller(larger(distance, all(0)), most);
+        const Mask before = hn::Lt(leave(on), t);
+        const Mask beyond = hn::Ge(leave(hn::Sub(on, all(1))), t);
         on = hn::Add(on, hn::IfThenElseZero(before, all(1)));
         on = hn::Sub(on, hn::IfThenElseZero(hn::AndNot(before, beyond), all(1)));
-        return larger(on, hn::Zero(floats<width>));
+        return larger(on, all(0));
     }
 };
+
+/// Where a step would take the rays.
+struct Flock::Ahead {
+    V t;                     ///< where they come there
+    std::array<V, 3> place;  ///< the planes by which they leave the next cell
+    Mask tied, outside;      ///< several axes are left at t; the lattice is
+};
+
+inline auto Flock::clearances(std::size_t first) const -> V {
+    using namespace simd;
+    constexpr auto tag = words<width>;
+    const auto here = hn::Load(tag, &word_[first]);
+    const auto cells = hn::IfThenElseZero(
+        is_empty(here), hn::And(here, hn::Set(tag, std::uint32_t{CellWord::most_clearance})));
+    return hn::ConvertTo(floats<width>, hn::BitCast(numbers, cells));
+}
+
+/// Along the axes that are left first a ray goes to the next cell, along the others to where it is
+/// then.
+inline auto Flock::look_ahead(std::size_t first, const Lattice& lattice) const -> Ahead {
+    using namespace simd;
+    const V clearance = clearances(first);
+    const std::array<Progress, 3> along{Progress(axes_, 0, first, clearance, lattice),
+                                        Progress(axes_, 1, first, clearance, lattice),
+                                        Progress(axes_, 2, first, clearance, lattice)};
+    const std::array<V, 3> leave{along[0].leave(along[0].most), along[1].leave(along[1].most),
+                                 along[2].leave(along[2].most)};
+    Ahead ahead;
+    ahead.t = hn::Min(hn::Min(leave[0], leave[1]), leave[2]);
+    Mask touched = hn::Lt(ahead.t, ahead.t);  // nobody yet
+    ahead.tied = ahead.outside = touched;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const Progress& own = along[a];
+        const V settled = own.settle(ahead.t);
+        const Mask out = hn::Eq(leave[a], ahead.t);
+        const Mask meets = hn::Or(out, hn::Eq(own.leave(settled), ahead.t));
+        ahead.tied = hn::Or(ahead.tied, hn::And(touched, meets));
+        touched = hn::Or(touched, meets);
+        const V on = hn::IfThenElse(out, hn::Add(own.most, all(1)), settled);
+        ahead.place[a] = hn::MulAdd(on, own.stride, own.place);
+        ahead.outside = hn::Or(ahead.outside, hn::And(out, hn::Eq(own.most, own.to_end)));
+    }
+    return ahead;
+}
+
+/// Returns those that come to a cell that is not empty.
+inline LaneSet Flock::move(std::size_t first, LaneSet moved, const Ahead& ahead,
+                           const Lattice& lattice, const CellWord* cells) {
+    using namespace simd;
+    constexpr auto tag = floats<width>;
+    const Mask mask = mask_of(tag, static_cast<std::uint32_t>(moved >> first));
+    auto cell = hn::Zero(numbers);
+    for (std::size_t a = 3; a-- > 0;) {
+        hn::BlendedStore(ahead.place[a], mask, tag, &axes_[a].place[first]);
+        const V index = hn::Sub(ahead.place[a], upward(load(axes_[a].stride, first)));
+        cell = hn::Add(hn::Mul(cell, hn::Set(numbers, lattice.cells()[a])),
+                       hn::ConvertTo(numbers, index));
+    }
+    // Lanes that stay read the first cell.
+    cell = hn::IfThenElseZero(hn::RebindMask(numbers, mask), cell);
+    const auto found =
+        hn::GatherIndex(words<width>, reinterpret_cast<const std::uint32_t*>(cells), cell);
+    hn::BlendedStore(found, hn::RebindMask(words<width>, mask), words<width>, &word_[first]);
+    hn::BlendedStore(ahead.t, mask, tag, &t_[first]);
+    return moved & ~(LaneSet{bits(tag, hn::RebindMask(tag, is_empty(found)))} << first);
+}
 
 inline Flock::Stepped Flock::step(std::size_t first, LaneSet walking, const Lattice& lattice,
                                   const CellWord* cells) {
     using namespace simd;
-    constexpr auto tag = floats<width>;
-    constexpr auto word_tag = words<width>;
-    constexpr hn::FixedTag<std::int32_t, width> number_tag;
-    const auto words_here = hn::Load(word_tag, &word_[first]);
-    const auto is_empty = hn::Gt(words_here, hn::Set(word_tag, CellWord::empty().bits() - 1));
-    const auto clearances =
-        hn::IfThenElseZero(is_empty, hn::And(words_here, hn::Set(word_tag, 0x3f)));
-    const V clearance = hn::ConvertTo(tag, hn::BitCast(number_tag, clearances));
-    std::array<Progress, 3> along{
-        Progress(axes_[0], first, clearance, lattice.lo(), lattice.step(), 0),
-        Progress(axes_[1], first, clearance, lattice.lo(), lattice.step(), 1),
-        Progress(axes_[2], first, clearance, lattice.lo(), lattice.step(), 2)};
-    const V x = along[0].leave(along[0].most), y = along[1].leave(along[1].most),
-            z = along[2].leave(along[2].most);
-    const V t = hn::Min(hn::Min(x, y), z);
-    const std::array<V, 3> leave{x, y, z};
-    auto ended = hn::Lt(load(nearest_, first), t);
-    auto outside = hn::Lt(t, t);  // nobody
-    auto touched = outside, tied = outside;
-    std::array<V, 3> place;
-    for (std::size_t a = 0; a < 3; ++a) {
-        const Progress& own = along[a];
-        const V settled = own.settle(t, load(axes_[a].direction, first),
-                                     all(lattice.per_step()[static_cast<int>(a)]));
-        const auto out = hn::Eq(leave[a], t);
-        const V on = hn::IfThenElse(out, own.most, settled);
-        const auto meets = hn::Or(out, hn::Eq(own.leave(settled), t));
-        tied = hn::Or(tied, hn::And(touched, meets));
-        touched = hn::Or(touched, meets);
-        place[a] = hn::MulAdd(hn::Add(on, hn::IfThenElseZero(out, all(1))), own.stride, own.place);
-        const V rim = hn::MulAdd(own.most, own.stride, own.place);
-        outside = hn::Or(outside, hn::And(out, hn::Eq(rim, load(axes_[a].end, first))));
-    }
-    const auto set = [&](auto mask) { return (LaneSet{bits(tag, mask)} << first) & walking; };
+    const Ahead ahead = look_ahead(first, lattice);
+    const auto set = [&](Mask mask) {
+        return (LaneSet{bits(floats<width>, mask)} << first) & walking;
+    };
+    const LaneSet hit_before = set(hn::Lt(load(nearest_, first), ahead.t));
     Stepped stepped;
-    stepped.ended = set(ended);
-    stepped.tied = set(tied) & ~stepped.ended;
-    const LaneSet left = set(outside) & ~stepped.ended & ~stepped.tied;
-    stepped.ended |= left;
-    stepped.moved = walking & ~stepped.ended & ~stepped.tied;
-    if (stepped.moved == 0) return stepped;
-    const auto moved = mask_of(tag, static_cast<std::uint32_t>(stepped.moved >> first));
-    auto cell = hn::Zero(number_tag);
-    for (std::size_t a = 3; a-- > 0;) {
-        hn::BlendedStore(place[a], moved, tag, &axes_[a].place[first]);
-        const V upward = hn::IfThenElseZero(hn::Gt(along[a].stride, hn::Zero(tag)), all(1));
-        const auto index = hn::ConvertTo(number_tag, hn::Sub(place[a], upward));
-        cell = hn::Add(hn::Mul(cell, hn::Set(number_tag, lattice.cells()[a])), index);
-    }
-    // Lanes that stay read the first cell.
-    cell = hn::IfThenElseZero(hn::RebindMask(number_tag, moved), cell);
-    const auto found =
-        hn::GatherIndex(word_tag, reinterpret_cast<const std::uint32_t*>(cells), cell);
-    hn::BlendedStore(found, hn::RebindMask(word_tag, moved), word_tag, &word_[first]);
-    hn::BlendedStore(t, moved, tag, &t_[first]);
-    const auto empty = hn::Gt(found, hn::Set(word_tag, CellWord::empty().bits() - 1));
-    stepped.arrived = stepped.moved & ~(LaneSet{bits(tag, hn::RebindMask(tag, empty))} << first);
+    stepped.tied = set(ahead.tied) & ~hit_before;
+    stepped.ended = hit_before | (set(ahead.outside) & ~stepped.tied);
+    stepped.moved = walking & ~(stepped.ended | stepped.tied);
+    if (stepped.moved != 0) stepped.arrived = move(first, stepped.moved, ahead, lattice, cells);
     return stepped;
 }
 

@@ -101,7 +101,7 @@ private:
     template <Query Q, Counter C>
     void trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
-    void trace_abreast(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    struct Abreast;
     template <Query Q, Counter C>
     bool trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
@@ -111,15 +111,6 @@ private:
     template <Query Q, Counter C>
     [[gnu::noinline]] void visit_others(CellWord word, const Box& box, RaySet rays,
                                         Scratch& scratch, C& count) const;
-    template <Query Q, Counter C>
-    bool start(const Ray& ray, std::size_t number, std::size_t lane, Answers<Q>& answers,
-               Scratch& scratch, C& count) const;
-    template <Query Q, Counter C>
-    LaneSet visit_leaves(LaneSet lanes, Scratch& scratch, C& count) const;
-    template <Query Q, class Block, Counter C>
-    void visit_blocks(LaneSet lanes, Flock& flock, C& count) const;
-    template <Query Q, Counter C>
-    void visit_other(std::size_t lane, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
     void enter(const SubGrid& grid, float t, Search<C>& search) const;
     template <Query Q, Counter C>
@@ -168,7 +159,8 @@ template <Query Q, Counter C>
 inline void Grid::trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch,
                              C& count) const {
     constexpr std::size_t few = 4;  // for which a flock does not pay
-    if (abreast_ && part.rays.size() > few) return trace_abreast<Q>(part, answers, scratch, count);
+    if (abreast_ && part.rays.size() > few)
+        return Abreast<Q, C>{*this, part, answers, scratch, count}.trace();
     for (std::size_t i = 0; i < part.rays.size(); ++i) {
         Hit hit = nothing_yet(part.rays[i]);
         trace_alone<Q>(part.rays[i], hit, scratch, count);
