@@ -32,8 +32,22 @@ struct Grid::Abreast {
     void visit_leaves();
     template <class Block>
     void visit_blocks(LaneSet lanes);
-    void visit_other(std::size_t lane);
-    void go_alone(std::size_t lane);
+    [[gnu::noinline]] void visit_other(std::size_t lane);
+    [[gnu::noinline]] void go_alone(std::size_t lane);
+
+    // What is called most has all that it calls inlined; the rest stays out of its way. Most blocks
+    // are missed: their tests are left early.
+    [[gnu::flatten]] void test_triangles(RaysAndBlocks<TriangleBlock>& pairs, std::size_t size) {
+        rayshoot::test<Precision::standard, Misses::leave>(pairs, size, padding(), count);
+    }
+    [[gnu::noinline]] void test_watertight_triangles(RaysAndBlocks<TriangleBlock>& pairs,
+                                                     std::size_t size) {
+        rayshoot::test<Precision::watertight, Misses::leave>(pairs, size, padding(), count);
+    }
+    [[gnu::noinline]] void test_spheres(RaysAndBlocks<SphereBlock>& pairs, std::size_t size) {
+        rayshoot::test<Misses::leave>(pairs, size, padding(), count);
+    }
+    float padding() const { return grid.leaves_.packed().padding(); }
 
     void finish(std::size_t lane) {
         answers.store(flock().number(lane), flock().hit(lane));
@@ -154,8 +168,6 @@ template <Query Q, Counter C>
 template <class Block>
 inline void Grid::Abreast<Q, C>::visit_blocks(LaneSet lanes) {
     const PackedLeaves& leaves = grid.leaves_.packed();
-    const float padding = leaves.padding();
-    constexpr Misses misses = Misses::leave;  // most blocks are missed
     while (lanes != 0) {
         RaysAndBlocks<Block> pairs;
         std::array<std::size_t, rays_by_blocks> numbers;
@@ -167,11 +179,10 @@ inline void Grid::Abreast<Q, C>::visit_blocks(LaneSet lanes) {
             pairs[together] = {&flock().ray(lane), &flock().hit(lane),
                                &leaves.block<Block>(leaf.first_block())};
         }
-        if constexpr (std::is_same_v<Block, SphereBlock>)
-            rayshoot::test<misses>(pairs, together, padding, count);
-        else if (leaves.precision() == Precision::standard)
-            rayshoot::test<Precision::standard, misses>(pairs, together, padding, count);
-        else rayshoot::test<Precision::watertight, misses>(pairs, together, padding, count);
+        if constexpr (std::is_same_v<Block, SphereBlock>) test_spheres(pairs, together);
+        else if (leaves.precision() == Precision::standard) [[likely]]
+            test_triangles(pairs, together);
+        else test_watertight_triangles(pairs, together);
         for (std::size_t i = 0; i < together; ++i) {
             const PackedLeaf leaf = PackedLeaf::from(flock().word(numbers[i]).leaf());
             if (leaf.block_count() == 1 || over<Q>(flock().hit(numbers[i]))) continue;

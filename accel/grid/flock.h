@@ -224,8 +224,8 @@ inline LaneSet Flock::move(std::size_t first, LaneSet moved, const Ahead& ahead,
     return moved & ~(LaneSet{bits(tag, hn::RebindMask(tag, is_empty(found)))} << first);
 }
 
-inline Flock::Stepped Flock::step(std::size_t first, LaneSet walking, const Lattice& lattice,
-                                  const CellWord* cells) {
+[[gnu::flatten]] inline Flock::Stepped Flock::step(std::size_t first, LaneSet walking,
+                                                   const Lattice& lattice, const CellWord* cells) {
     using namespace simd;
     const Ahead ahead = look_ahead(first, lattice);
     const auto set = [&](Mask mask) {

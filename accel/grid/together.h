@@ -61,9 +61,10 @@ inline int Grid::visit_slice(const Sweep& sweep, Scratch& scratch, C& count) con
     return sweep.slices_within(clearance);
 }
 
+/// What is called most: all that it calls is inlined.
 template <Query Q, Counter C>
-inline void Grid::visit_cell(CellWord word, const Box& box, RaySet rays, Scratch& scratch,
-                             C& count) const {
+[[gnu::flatten]] inline void Grid::visit_cell(CellWord word, const Box& box, RaySet rays,
+                                              Scratch& scratch, C& count) const {
     const PackedLeaves& leaves = leaves_.packed();
     const PackedLeaf leaf = PackedLeaf::from(word.leaf());
     if (!word.is_leaf() || !leaf.only_triangles() || leaves.precision() != Precision::standard)

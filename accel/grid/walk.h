@@ -77,7 +77,8 @@ public:
     /// but the one that it leaves, then goes to the last one; false where that is outside.
     template <class Visit>
     bool cross_block(const Visit& visit);
-    /// Goes to the last cell that the ray touches of a range round the present one.
+    /// Goes to the last cell, or the first of several tied ones, that the ray touches of a range
+    /// round the present one.
     void leap(const CellRange& range);
 
 private:
@@ -116,18 +117,15 @@ inline bool Walk::cross_block(const Visit& visit) {
 }
 
 inline void Walk::leap(const CellRange& range) {
-    int out = 0;
     float t = infinity;
-    Cell rim;
     for (int axis = 0; axis < 3; ++axis) {
-        rim[at(axis)] = cross_.descending(axis) ? range.first[at(axis)] : range.last[at(axis)];
-        const float leave = cross_.leave(axis, rim[at(axis)]);
-        if (!(leave < t)) continue;
-        t = leave;
-        out = axis;
+        const int rim = cross_.descending(axis) ? range.first[at(axis)] : range.last[at(axis)];
+        t = std::min(t, cross_.leave(axis, rim));
     }
+    // Of cells that are left at the same t the first, on every axis: tied ones are a block, parts
+    // of which may lie beyond the range.
     for (int axis = 0; axis < 3; ++axis) {
-        cell_[at(axis)] = axis == out ? rim[at(axis)] : cross_.first(axis, t);
+        cell_[at(axis)] = cross_.first(axis, t);
         leave_[at(axis)] = cross_.leave(axis, cell_[at(axis)]);
     }
 }
