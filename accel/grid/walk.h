@@ -123,10 +123,12 @@ inline void Walk::leap(const CellRange& range) {
         t = std::min(t, cross_.leave(axis, rim));
     }
     // Of cells that are left at the same t the first, on every axis: tied ones are a block, parts
-    // of which may lie beyond the range.
+    // of which may lie beyond the range. But never back.
     for (int axis = 0; axis < 3; ++axis) {
-        cell_[at(axis)] = cross_.first(axis, t);
-        leave_[at(axis)] = cross_.leave(axis, cell_[at(axis)]);
+        const int first = cross_.first(axis, t);
+        if ((first - cell_[at(axis)]) * cross_.stride(axis) <= 0) continue;
+        cell_[at(axis)] = first;
+        leave_[at(axis)] = cross_.leave(axis, first);
     }
 }
 

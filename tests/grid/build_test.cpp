@@ -130,7 +130,7 @@ TEST(Density, is_the_cheapest_of_the_powers_of_two) {
             const Lattice lattice(membership.space(), cells);
             const auto references = double(box_references(membership, lattice, all_of(geometry)));
             return double(lattice.box({0, 0, 0}).half_area()) *
-                   (double(lattice.size()) + 2 * references);
+                   (double(lattice.size()) + 1.5 * references);
         };
         const double chosen = cheapest_density(membership, {}, 3000);
         for (double density = 0.125; density <= 32; density *= 2)
