@@ -175,8 +175,7 @@ inline float Packet::reach(Section section) const {
     return simd::hn::GetLane(simd::hn::MaxOfLanes(simd::floats<lanes>, farthest));
 }
 
-inline std::pair<float, float> Packet::span(std::size_t axis, std::size_t over,
-                                            float plane) const {
+inline std::pair<float, float> Packet::span(std::size_t axis, std::size_t over, float plane) const {
     using namespace simd;
     constexpr auto tag = floats<lanes>;
     V lo = hn::Set(tag, infinity), hi = hn::Set(tag, -infinity);
