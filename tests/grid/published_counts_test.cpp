@@ -2,13 +2,13 @@
 
 #include "tests/tracer/spd_scenes.h"
 
-/// Havran & Sixta 1999, uniform grids of the SPD scene tetra: what the cells hold is exact, what
-/// rays do in them is close.
+/// Havran & Sixta 1999, uniform grids of the SPD scenes tetra and balls: what the cells hold is
+/// exact for tetra and nearly so for balls, what rays do in them is close.
 namespace rayshoot {
 namespace {
 
 struct Published {
-    const char* resolution;
+    const char *scene, *resolution;
     std::uint64_t cells, empty_cells, references;             ///< N_V, N_EV, N_OIV
     double object_tests, cells_per_ray, empty_cells_per_ray;  ///< N_IT, N_ETS, N_EETS
 };
@@ -25,16 +25,18 @@ protected:
                                      spd_format);
     }
 
-    Scene scene_ = tracer_tests::spd_scene("tetra");
+    Scene scene_ = tracer_tests::spd_scene(GetParam().scene);
     RenderSettings settings_;
     std::unique_ptr<Accel> accel_;
 };
 
-TEST_P(HavranGrid, holds_exactly_what_is_published) {
+TEST_P(HavranGrid, holds_what_is_published) {
     const Footprint made = accel_->footprint();
+    const bool exact = std::string_view(GetParam().scene) == "tetra";
     EXPECT_EQ(*made.leaves, GetParam().cells);
-    EXPECT_EQ(*made.empty_leaves, GetParam().empty_cells);
-    EXPECT_EQ(*made.references, GetParam().references);
+    EXPECT_NEAR(double(*made.empty_leaves), double(GetParam().empty_cells), exact ? 0 : 3);
+    EXPECT_NEAR(double(*made.references), double(GetParam().references),
+                exact ? 0 : 0.002 * double(GetParam().references));
 }
 
 TEST_P(HavranGrid, is_walked_as_is_published) {
@@ -53,11 +55,13 @@ TEST_P(HavranGrid, is_walked_as_is_published) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Tetra, HavranGrid,
-    testing::Values(Published{"16x16x16", 4096, 3104, 12556, 20.64, 7.43, 5.83},
-                    Published{"35x35x35", 42875, 37311, 35936, 10.01, 15.97, 14.36},
-                    Published{"40x40x40", 64000, 56696, 44696, 9.17, 18.24, 16.63}),
-    [](const auto& of) { return std::string("cells_") + of.param.resolution; });
+    Spd, HavranGrid,
+    testing::Values(Published{"tetra", "16x16x16", 4096, 3104, 12556, 20.64, 7.43, 5.83},
+                    Published{"tetra", "35x35x35", 42875, 37311, 35936, 10.01, 15.97, 14.36},
+                    Published{"tetra", "40x40x40", 64000, 56696, 44696, 9.17, 18.24, 16.63},
+                    Published{"balls", "103x103x7", 74263, 63393, 19966, 72.54, 12.40, 9.27},
+                    Published{"balls", "152x152x9", 207936, 184204, 33909, 41.48, 17.32, 13.93}),
+    [](const auto& of) { return std::string(of.param.scene) + "_" + of.param.resolution; });
 
 }  // namespace
 }  // namespace rayshoot
