@@ -42,6 +42,11 @@ public:
     Beam beam(Section section) const;
     /// The farthest of a section's nearest hits so far.
     float reach(Section section) const;
+    /// The least and the largest coordinate along `axis` where the lines of all rays meet a plane
+    /// across the axis `over`; rounded.
+    std::pair<float, float> span(std::size_t axis, std::size_t over, float plane) const;
+    /// Whether the nearest hit of some ray so far is not before a plane.
+    bool any_reaches(std::size_t axis, float plane) const;
     /// The rays of a group that enter one of several boxes before their nearest hit.
     template <class Bounds>
     RaySet enter(std::size_t group, const Bounds& boxes, std::size_t box) const;
@@ -168,6 +173,32 @@ inline float Packet::reach(Section section) const {
     for (std::size_t i = section.first + lanes; i < section.end; i += lanes)
         farthest = simd::hn::Max(farthest, row(t_, i));
     return simd::hn::GetLane(simd::hn::MaxOfLanes(simd::floats<lanes>, farthest));
+}
+
+inline std::pair<float, float> Packet::span(std::size_t axis, std::size_t over, float plane) const {
+    using namespace simd;
+    constexpr auto tag = floats<lanes>;
+    V lo = hn::Set(tag, infinity), hi = hn::Set(tag, -infinity);
+    for (std::size_t i = 0; i < rays_.size(); i += lanes) {
+        const V t = hn::Mul(hn::Sub(hn::Set(tag, plane), row(origin_.rows[over], i)),
+                            row(inverse_.rows[over], i));
+        const V x = hn::Add(row(origin_.rows[axis], i), hn::Div(t, row(inverse_.rows[axis], i)));
+        lo = hn::Min(lo, x);
+        hi = hn::Max(hi, x);
+    }
+    return {hn::GetLane(hn::MinOfLanes(tag, lo)), hn::GetLane(hn::MaxOfLanes(tag, hi))};
+}
+
+inline bool Packet::any_reaches(std::size_t axis, float plane) const {
+    using namespace simd;
+    constexpr auto tag = floats<lanes>;
+    auto any = hn::Lt(hn::Zero(tag), hn::Zero(tag));
+    for (std::size_t i = 0; i < rays_.size(); i += lanes) {
+        const V t = hn::Mul(hn::Sub(hn::Set(tag, plane), row(origin_.rows[axis], i)),
+                            row(inverse_.rows[axis], i));
+        any = hn::Or(any, hn::Not(hn::Lt(row(t_, i), t)));
+    }
+    return !hn::AllFalse(tag, any);
 }
 
 template <class Bounds>

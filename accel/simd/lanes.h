@@ -89,6 +89,14 @@ inline std::uint32_t bits(D tag, Mask mask) {
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
+/// The other way round.
+template <class D>
+inline auto mask_of(D tag, std::uint32_t bits) {
+    const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits),
+                                            static_cast<std::uint8_t>(bits >> 8)};
+    return hn::LoadMaskBits(tag, bytes.data());
+}
+
 /// For each set of up to eight lanes their numbers in ascending order, a byte each.
 inline constexpr auto lane_numbers = [] {
     std::array<std::array<std::uint8_t, 8>, 256> numbers{};
