@@ -35,7 +35,7 @@ class KdParting {
 public:
     /// Up to so many references all planes at their faces are compared; beyond it evenly spaced
     /// ones, or the builder knows better.
-    static constexpr std::size_t few = 64;
+    static constexpr std::size_t few = 32;
     static_assert(few <= most_counted);
 
     KdParting(const Geometry& geometry, const Membership& membership, const KdSettings& settings)
