@@ -97,10 +97,20 @@ private:
     void visit_mixed(Fleet& fleet, LaneSet& over, C& count) const;
     template <Query Q>
     void leave(Fleet& fleet, std::size_t lane, LaneSet& over) const;
-    /// Inlined in any case: g++ 12 takes a function that does nothing but this for one without an
-    /// effect, and drops its calls.
+    // Inlined in any case: g++ 12 takes a function that does nothing but this for one without an
+    // effect, and drops its calls.
     [[gnu::always_inline]] void fetch(std::uint32_t node) const {
         __builtin_prefetch(&tree_.nodes[node]);
+    }
+    [[gnu::always_inline]] void fetch(PackedLeaf leaf) const {
+        const std::byte* const block = tree_.leaves.first() + PackedLeaves::offset(leaf);
+        for (std::size_t i = 0; i < sizeof(LeafBlock); i += 64) __builtin_prefetch(block + i);
+    }
+    /// Where a node is at hand: what will be needed after it.
+    [[gnu::always_inline]] void fetch_beyond(std::uint32_t number) const {
+        const BspNode node = tree_.nodes[number];
+        if (!node.is_leaf()) fetch(node.children());
+        else if (!node.is_empty()) fetch(node.leaf());
     }
 
     Membership membership_;

@@ -65,8 +65,7 @@ inline void Bsp::visit_leaves(Fleet& fleet, LaneSet lanes, LaneSet& over, C& cou
             return;
         }
         const PackedLeaf packed = leaf.leaf();
-        const std::byte* const block = tree_.leaves.first() + PackedLeaves::offset(packed);
-        for (std::size_t i = 0; i < sizeof(LeafBlock); i += 64) __builtin_prefetch(block + i);
+        fetch(packed);
         fleet.passengers[lane].next_block = packed.first_block();
         fleet.passengers[lane].end_block = packed.first_block() + packed.block_count();
         const LaneSet triangles = packed.only_triangles(), mixed = packed.is_mixed();

@@ -133,8 +133,9 @@ inline void Bsp::trace_together(const BatchPart& part, Answers<Q>& answers, Scra
             for (; !node.is_leaf(); node = tree_.nodes[here.node]) {
                 count(Event::step);
                 cross(packet, node, here, *later);
-                fetch(later->node);
-                later += later->rays != 0;
+                if (later->rays == 0) continue;
+                fetch_beyond(later->node);
+                ++later;
             }
             visit_leaf<Q>(packet, here.rays, node, count);
         }
