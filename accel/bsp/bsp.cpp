@@ -4,7 +4,6 @@
 #include "accel/bsp/midpoint.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace rayshoot::inline RAYSHOOT_ISA {
@@ -21,10 +20,9 @@ Number chosen_or(const Options& chosen, std::string_view key, int most, Number f
     return given == 0 ? fallback : static_cast<Number>(given);
 }
 
-/// As many levels as Havran (2000) takes.
+/// 8 + 1.3 log2 N levels.
 int auto_depth(std::uint32_t primitives) {
-    return std::min(deepest_bsp,
-                    8 + static_cast<int>(1.3f * std::log2(1.0f + static_cast<float>(primitives))));
+    return std::min(deepest_bsp, 8 + 13 * static_cast<int>(std::bit_width(primitives)) / 10);
 }
 
 BspSketch sketched(const Geometry& geometry, const Membership& membership, const Options& chosen) {
@@ -61,7 +59,8 @@ float mean_extent(const Geometry& geometry) {
     return static_cast<float>(sum / geometry.size());
 }
 
-/// Cells hold what is near the part of a primitive inside them, unless "near" would be most of it.
+/// Cells hold what is near the part of a primitive inside them, but where "near" means farther than
+/// primitives are large they hold all that their bounds reach into.
 Membership membership(const BuildInput& input, const Options& chosen) {
     constexpr float most_of_extent = 0.125f;
     const auto asked = chosen.choice<std::optional<Overlap>>(

@@ -27,18 +27,34 @@ private:
     std::uint64_t bits_ = 0;
 };
 
-template <Query Q, Counter C>
-inline void Bsp::trace_with_short_stack(BspFlight& flight, C& count) const {
-    constexpr std::uint32_t most = 3;  // halts; Horn et al. 2007
-    struct Halt : BspHalt {
+/// The last few halts: the oldest makes room.
+class FewHalts {
+public:
+    struct Halt {
+        BspHalt at;
         int level;
     };
-    std::array<Halt, most> halts;
-    std::uint32_t first = 0, size = 0;  // a ring: the oldest makes room
-    const float whole_entry = flight.entry, whole_exit = flight.exit;
+
+    bool empty() const { return size_ == 0; }
+    void push(const BspHalt& halt, int level) {
+        if (size_ == most) first_ = (first_ + 1) % most;
+        else ++size_;
+        halts_[(first_ + size_ - 1) % most] = {halt, level};
+    }
+    Halt pop() { return halts_[(first_ + --size_) % most]; }
+
+private:
+    static constexpr std::size_t most = 3;  // Horn et al. 2007
+    std::array<Halt, most> halts_;
+    std::size_t first_ = 0, size_ = 0;
+};
+
+template <Query Q, Counter C>
+inline void Bsp::trace_with_short_stack(BspFlight& flight, C& count) const {
+    const FewHalts::Halt whole{{flight.node, flight.entry, flight.exit}, 0};
+    FewHalts halts;
     Trail trail;
-    int level = 0;
-    do {
+    for (int level = 0; flight.entry <= flight.hit.t;) {
         BspNode node = tree_.nodes[flight.node];
         for (; !node.is_leaf(); ++level) {
             count(Event::step);
@@ -47,35 +63,23 @@ inline void Bsp::trace_with_short_stack(BspFlight& flight, C& count) const {
                                     flight.entry, flight.exit);
             const std::uint32_t near = node.children() + flight.near_side[axis], far = near ^ 1;
             const bool both = plane.near && plane.far, to_far = both && trail.near_done(level);
-            if (both && !to_far) {
-                if (size == most) first = (first + 1) % most;
-                else ++size;
-                halts[(first + size - 1) % most] = {
-                    {far, plane.far_entry(flight.entry), flight.exit}, level + 1};
+            if (!both) trail.set(level);
+            else if (to_far) flight.entry = plane.far_entry(flight.entry);
+            else {
+                halts.push({far, plane.far_entry(flight.entry), flight.exit}, level + 1);
                 flight.exit = plane.near_exit(flight.exit);
-            } else if (both) {
-                flight.entry = plane.far_entry(flight.entry);
-            } else {
-                trail.set(level);
             }
             node = tree_.nodes[plane.near && !to_far ? near : far];
         }
         if (flight.entry > flight.hit.t) return;
         visit_leaf<Q>(flight, node, count);
         if (flight.over<Q>() || !trail.advance(level)) return;
-        if (size > 0) {
-            const Halt& halt = halts[(first + --size) % most];
-            flight.node = halt.node;
-            flight.entry = halt.entry;
-            flight.exit = halt.exit;
-            level = halt.level;
-        } else {
-            flight.node = 0;
-            flight.entry = whole_entry;
-            flight.exit = whole_exit;
-            level = 0;
-        }
-    } while (flight.entry <= flight.hit.t);
+        const FewHalts::Halt next = halts.empty() ? whole : halts.pop();
+        flight.node = next.at.node;
+        flight.entry = next.at.entry;
+        flight.exit = next.at.exit;
+        level = next.level;
+    }
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
