@@ -3,6 +3,8 @@
 #include "accel/bvh/builders.h"
 #include "accel/bvh8/group_walk.h"
 #include "accel/bvh8/halts.h"
+#include "accel/bvh8/in_packets.h"
+#include "accel/bvh8/packet_leaf.h"
 #include "accel/core/raw_array.h"
 #include "accel/core/session.h"
 
@@ -47,11 +49,7 @@ public:
     Footprint footprint() const { return footprint_; }
 
 private:
-    /// Some rays of a batch.
-    struct Part {
-        std::span<const Ray> rays;
-        std::size_t first = 0;  ///< place of the first one in the batch
-    };
+    using Part = BatchPart;
 
     template <Query Q, Counter C>
     void trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
@@ -85,14 +83,6 @@ private:
     template <Query Q, class Block, Counter C>
     void visit_blocks(std::uint64_t& waiting, Departures& departures, Flight* flights,
                       C& count) const;
-    template <Query Q, Counter C>
-    void visit_leaf(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const;
-    template <Query Q, Precision P, Counter C>
-    void visit_triangles(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const;
-    /// Whatever is not triangles in the standard precision; out of the way of those that are.
-    template <Query Q, Counter C>
-    [[gnu::noinline]] void visit_others(Packet& packet, RaySet rays, PackedLeaf leaf,
-                                        C& count) const;
     void fetch(WideChild child) const;
     const Node& node_at(WideChild child) const { return nodes_[child.number()]; }
 
@@ -109,23 +99,14 @@ template <class Node>
 template <Query Q, Counter C>
 inline void WideBvh<Node>::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch,
                                 C& count) const {
-    const std::span<const Ray> rays = batch.rays;
-    Packet& packet = scratch.packet;
-    std::size_t waiting = 0;  // the first ray that has not been traced
-    const auto together = [&](std::size_t first, std::size_t size) {
-        if (!packet.load(rays.subspan(first, size), leaves_.precision(), most_apart_)) return false;
-        trace_each<Q>({rays.subspan(waiting, first - waiting), waiting}, answers, scratch, count);
-        trace_together<Q>({rays.subspan(first, size), first}, answers, scratch, count);
-        waiting = first + size;
-        return true;
-    };
-    for (std::size_t i = 0; packets_ && i + Packet::group <= rays.size(); i += Packet::most) {
-        const std::size_t whole_groups = (rays.size() - i) / Packet::group * Packet::group;
-        const std::size_t size = std::min(Packet::most, whole_groups);
-        if (together(i, size) || size == Packet::group) continue;
-        for (std::size_t j = i; j < i + size; j += Packet::group) together(j, Packet::group);
-    }
-    trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
+    const auto each = [&](const Part& part) { trace_each<Q>(part, answers, scratch, count); };
+    if (!packets_) return each({batch.rays});
+    in_packets(
+        batch.rays,
+        [&](std::span<const Ray> rays) {
+            return scratch.packet.load(rays, leaves_.precision(), most_apart_);
+        },
+        [&](const Part& part) { trace_together<Q>(part, answers, scratch, count); }, each);
 }
 
 template <class Node>

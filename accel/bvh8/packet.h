@@ -39,6 +39,15 @@ public:
     static Section one(std::size_t g) { return {g * group, (g + 1) * group}; }
     const Hit& hit(std::size_t ray) const { return hits_[ray]; }
 
+    // For those who clip the rays themselves: of the rays from `first` on, as many as fill a
+    // register.
+    bool descending(std::size_t axis) const { return near_[axis] > far_[axis]; }
+    V origin(std::size_t axis, std::size_t first) const { return row(origin_.rows[axis], first); }
+    V inverse(std::size_t axis, std::size_t first) const { return row(inverse_.rows[axis], first); }
+    V t_min(std::size_t first) const { return row(t_min_, first); }
+    /// The nearest hits so far.
+    V nearest(std::size_t first) const { return row(t_, first); }
+
     Beam beam(Section section) const;
     /// The farthest of a section's nearest hits so far.
     float reach(Section section) const;

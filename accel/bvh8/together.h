@@ -52,7 +52,7 @@ inline bool WideBvh<Node>::follow(Packet& packet, Halts& halts, C& count) const 
             if constexpr (C::counts) count(Event::bounding_volume_test, Packet::group);
             rays |= packet.enter(group, parent.bounds, halt.place) << group * Packet::group;
         }
-        visit_leaf<Q>(packet, rays, child.leaf(), count);
+        rayshoot::visit_leaf<Q>(leaves_, packet, rays, child.leaf(), count);
         beam.nearest = packet.reach(packet.all());
     }
     return true;
@@ -81,7 +81,8 @@ inline void WideBvh<Node>::follow(Packet& packet, std::size_t group, GroupWalk& 
         const GroupHalt halt = walk.pop();
         if (halt.entry > beam.nearest) continue;
         if (!halt.child.interior()) {
-            visit_leaf<Q>(packet, halt.rays << group * Packet::group, halt.child.leaf(), count);
+            rayshoot::visit_leaf<Q>(leaves_, packet, halt.rays << group * Packet::group,
+                                    halt.child.leaf(), count);
             beam.nearest = packet.reach(section);
             continue;
         }
@@ -121,39 +122,6 @@ inline std::pair<Places<Node::width>, simd::Floats<Node::width>> WideBvh<Node>::
     if constexpr (C::counts) count(Event::bounding_volume_test, node.live());
     const auto [entry, exit] = beam.clip(node.bounds);
     return {simd::hn::Le(entry, exit), entry};
-}
-
-template <class Node>
-template <Query Q, Counter C>
-inline void WideBvh<Node>::visit_leaf(Packet& packet, RaySet rays, PackedLeaf leaf,
-                                      C& count) const {
-    if constexpr (C::counts) count(Event::cell, static_cast<std::uint64_t>(std::popcount(rays)));
-    if (leaf.only_triangles() && leaves_.precision() == Precision::standard) [[likely]]
-        visit_triangles<Q, Precision::standard>(packet, rays, leaf, count);
-    else visit_others<Q>(packet, rays, leaf, count);
-}
-
-template <class Node>
-template <Query Q, Counter C>
-void WideBvh<Node>::visit_others(Packet& packet, RaySet rays, PackedLeaf leaf, C& count) const {
-    if (leaf.is_mixed())
-        return packet.test_each<Q>(rays, [&](const TestRay& ray, Hit& hit) {
-            leaves_.template test<Q>(leaf, ray, hit, count);
-        });
-    if (leaf.only_triangles())
-        return visit_triangles<Q, Precision::watertight>(packet, rays, leaf, count);
-    for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-        packet.test<Q>(rays, leaves_.block<SphereBlock>(leaf.first_block() + i), leaves_.padding(),
-                       count);
-}
-
-template <class Node>
-template <Query Q, Precision P, Counter C>
-inline void WideBvh<Node>::visit_triangles(Packet& packet, RaySet rays, PackedLeaf leaf,
-                                           C& count) const {
-    for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-        packet.test<Q, P>(rays, leaves_.block<TriangleBlock>(leaf.first_block() + i),
-                          leaves_.padding(), count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

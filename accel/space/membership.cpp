@@ -55,6 +55,7 @@ Membership::Membership(const BuildInput& input, Overlap overlap)
     }
     reach_ *= 1 + 0x1p-20f;
     radius_ = geometry_->error_radius(reach_ * (1 + 0x1p-20f));
+    per_reach_ = 1 / reach_;
     // The radius is the largest of several that each grow with the distance, steadily.
     const float far = 0x1p20f * reach_;
     radius_per_distance_ = geometry_->error_radius(far) / far * (1 + 0x1p-10f);

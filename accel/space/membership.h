@@ -2,6 +2,10 @@
 
 #include "accel/core/build_input.h"
 
+#include <glm/common.hpp>
+
+#include <algorithm>
+
 /// Which primitives a cell of a space subdivision holds: grid, octree and BSP share it.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
@@ -30,26 +34,50 @@ public:
     }
     /// Bounds of what in_cell() asks for; empty where it says false.
     Box clipped(std::uint32_t primitive, const Box& cell) const {
-        return overlap_ == Overlap::exact ? geometry_->clipped_bounds(primitive, cell, radius_)
-                                          : box(primitive).intersection(cell);
+        if (overlap_ != Overlap::exact) return box(primitive).intersection(cell);
+        // What is outside the cell, but within the radius, counts too.
+        return geometry_->clipped_bounds(primitive, cell.grown(radius_), radius_)
+            .intersection(cell);
     }
+    /// How far from its primitive a hit may be reported, by a ray of which extra() is 0; 0 where
+    /// that does not matter.
+    float radius() const { return radius_; }
+    Overlap overlap() const { return overlap_; }
 
     /// How much farther outside its cells a ray's hits can be reported, because it starts far away:
     /// the cells that it visits have to be grown by as much. 0 for the rays that structures are
     /// made for: those that start no farther from the centre of the scene bounds than the scene's
-    /// diagonal, or than the eye.
+    /// diagonal, or than the eye. Infinite where a component of the direction is so small that the
+    /// slab form takes it for zero, and so knows no cell but the first.
     float extra(const Ray& ray) const {
+        if (made_for(ray)) return 0;
         const float distance = std::sqrt(dot(ray.origin - centre_, ray.origin - centre_));
-        return distance <= reach_ ? 0 : (distance - reach_) * radius_per_distance_;
+        return any_lost(ray.direction) ? infinity
+                                       : std::max(distance - reach_, 0.0f) * radius_per_distance_;
+    }
+    /// Whether that is 0, for those who ask for every ray.
+    bool made_for(const Ray& ray) const {
+        const vec3 from_centre = (ray.origin - centre_) * per_reach_;
+        // Rounding is covered: the radius is that of a somewhat larger reach.
+        const bool near = dot(from_centre, from_centre) <= 1, lost = any_lost(ray.direction);
+        return per_reach_ == 0 || (near && !lost);
     }
 
 private:
+    /// Whether a component is not zero, but its inverse infinite.
+    static bool any_lost(const vec3& direction) {
+        const vec3 size = glm::abs(direction);
+        const auto lost = [](float x) { return (x > 0) & (x <= 0x1p-128f); };
+        return lost(size.x) | lost(size.y) | lost(size.z);
+    }
+
     const Geometry* geometry_;
     Overlap overlap_;
     std::vector<Box> boxes_;  ///< empty: the stored bounds
     Box space_;
     vec3 centre_{0};
-    float reach_ = infinity;  ///< infinity: whatever overlaps is exact for every ray
+    float reach_ = infinity;
+    float per_reach_ = 0;  ///< 1 / reach; 0: whatever overlaps is exact for every ray
     float radius_ = 0;
     float radius_per_distance_ = 0;
 };
