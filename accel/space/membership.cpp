@@ -5,10 +5,15 @@
 namespace rayshoot::inline RAYSHOOT_ISA {
 namespace {
 
-/// Havran 1999: boxes thinner than this are widened by as much on each side; in scene units.
+/// Havran 1999: boxes of polygons thinner than this are widened by as much on each side; in scene
+/// units.
 constexpr float thin = 0.02f;
 /// ... and the box of the scene by this.
 constexpr float scene_margin = 0.001f;
+
+bool is_flat(PrimitiveKind kind) {
+    return kind == PrimitiveKind::triangle || kind == PrimitiveKind::polygon;
+}
 
 Box widened(Box box) {
     for (int axis = 0; axis < 3; ++axis)
@@ -25,8 +30,9 @@ Membership::Membership(const BuildInput& input, Overlap overlap)
     : geometry_(&input.geometry), overlap_(overlap), space_(input.geometry.bounds()) {
     if (geometry_->size() == 0) return;
     if (overlap == Overlap::havran) {
-        for (const Box& box : geometry_->all_bounds()) {
-            boxes_.push_back(widened(box));
+        for (std::uint32_t i = 0; i < geometry_->size(); ++i) {
+            const Box& own = geometry_->bounds(i);
+            boxes_.push_back(is_flat(geometry_->ref(i).kind) ? widened(own) : own);
             space_.include(boxes_.back());
         }
         space_ = space_.grown(scene_margin);

@@ -1,0 +1,89 @@
+#include "accel/octree/wide.h"
+
+#include "accel/simd/leaf_packer.h"
+
+#include <tbb/parallel_for.h>
+
+#include <stdexcept>
+
+namespace rayshoot::inline RAYSHOOT_ISA {
+namespace {
+
+constexpr int parallel_levels = 3;
+
+/// Makes each cell's box that of its contents, from the leaves up; without contents it is empty.
+void shrink(OctreeCell& cell, const Membership& membership) {
+    const Box whole = cell.box;
+    cell.box = {};
+    if (!cell.interior()) {
+        for (const std::uint32_t member : cell.members)
+            cell.box.include(membership.clipped(member, whole));
+        return;
+    }
+    const auto below = [&](std::size_t i) { shrink((*cell.children)[i], membership); };
+    if (cell.lattice.level < parallel_levels)
+        tbb::parallel_for(std::size_t{0}, std::size_t{8}, below);
+    else
+        for (std::size_t i = 0; i < 8; ++i) below(i);
+    for (const OctreeCell& child : *cell.children) cell.box.include(child.box);
+}
+
+class Layout {
+public:
+    explicit Layout(const Geometry& geometry) : packer_(geometry) {}
+
+    WideTree<WideNode8> build(OctreeCell& root) && {
+        nodes_.emplace_back();
+        if (root.interior()) {
+            add(0, root);
+        } else if (!root.members.empty()) {
+            Siblings only;
+            only.add(root.box, leaf(root));
+            nodes_[0] = WideNode8(only);
+        }
+        RawArray<WideNode8> nodes(nodes_.size());
+        std::uninitialized_copy(nodes_.begin(), nodes_.end(), nodes.data());
+        return {std::move(nodes), std::move(packer_).build(), leaves_, depth_};
+    }
+
+private:
+    /// Depth first.
+    void add(std::size_t place, OctreeCell& cell) {
+        Siblings siblings;
+        for (OctreeCell& child : *cell.children) {
+            if (child.box.empty()) continue;
+            const auto next = static_cast<std::uint32_t>(nodes_.size());
+            if (!child.interior()) {
+                siblings.add(child.box, leaf(child));
+                continue;
+            }
+            if (next == WideChild::most_nodes) throw std::length_error("more than 2^31 - 1 nodes");
+            siblings.add(child.box, WideChild::node(next));
+            nodes_.emplace_back();
+            add(next, child);
+        }
+        nodes_[place] = WideNode8(siblings);
+    }
+    WideChild leaf(OctreeCell& cell) {
+        ++leaves_;
+        depth_ = std::max(depth_, cell.lattice.level);
+        const PackedLeaf packed = packer_.add(cell.members);
+        cell.members = {};
+        return WideChild::leaf(packed);
+    }
+
+    LeafPacker packer_;
+    PagedVector<WideNode8> nodes_;
+    std::uint32_t leaves_ = 0;
+    int depth_ = 0;
+};
+
+}  // namespace
+
+WideTree<WideNode8> wide_octree(const Geometry& geometry, OctreeCell& root,
+                                const Membership& membership) {
+    shrink(root, membership);
+    return Layout(geometry).build(root);
+}
+
+}  // namespace rayshoot::inline RAYSHOOT_ISA
