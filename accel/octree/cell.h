@@ -11,7 +11,7 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 
 struct OctreeCell {
     Box box;
-    LatticeCell lattice;
+    OctreePlace lattice;
     std::vector<std::uint32_t> members;                   ///< of a leaf, ascending
     std::array<float, 3> planes{};                        ///< of an interior cell, x, y, z
     std::unique_ptr<std::array<OctreeCell, 8>> children;  ///< bit `axis` of the place: upper half
@@ -31,10 +31,11 @@ enum class OctreeStop : std::uint8_t {
 };
 
 struct OctreeSettings {
-    int depth = Lattice::most_levels;  ///< of the deepest leaf; the root's is 0
+    int depth = OctreeLattice::most_levels;  ///< of the deepest leaf; the root's is 0
     std::uint32_t largest_leaf = 1;
     OctreePlanes planes = OctreePlanes::centre;
     OctreeStop stop = OctreeStop::count;
+    bool loose = false;  ///< each primitive in one cell alone, that of its centre (Ulrich 2000)
     double most_references = 16;  ///< of all leaves together, for each primitive
 };
 

@@ -11,8 +11,11 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 template <class Question>
 void glassner84(const Question& ask) {
     from_stop_to_stop(ask, [&](float t) {
-        Descent<typename Question::Cell> at{ask.cells.root(), ask.within.exit};
-        while (ask.interior(at.cell)) descend(ask, at, t);
+        OctreeDescent<typename Question::Cell> at{ask.cells.root(), ask.within.exit};
+        while (ask.interior(at.cell)) {
+            ask.step();
+            descend(ask, at, t);
+        }
         return at;
     });
 }

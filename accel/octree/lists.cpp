@@ -19,7 +19,7 @@ std::uint32_t OctreeLists::add(OctreeCell& leaf) {
 
 OctreeLeaves::OctreeLeaves(const Geometry& geometry, OctreeLists&& lists, OctreeLeafTest test)
     : test_(test) {
-    if (test == OctreeLeafTest::scalar) {
+    if (test == OctreeLeafTest::single) {
         scalar_ = Leaves(geometry, lists.members, lists.leaves);
         ranges_ = std::move(lists.leaves);
         return;

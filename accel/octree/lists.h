@@ -20,7 +20,7 @@ struct OctreeLists {
 };
 
 enum class OctreeLeafTest : std::uint8_t {
-    scalar,  ///< one by one; an any-hit ray stops at the first one that is hit (Havran 1999)
+    single,  ///< one by one; an any-hit ray stops at the first one that is hit (Havran 1999)
     packed   ///< side by side
 };
 
@@ -31,11 +31,11 @@ public:
     OctreeLeaves(const Geometry& geometry, OctreeLists&& lists, OctreeLeafTest test);
 
     TestRay prepared(const Ray& ray) const {
-        return test_ == OctreeLeafTest::scalar ? scalar_.prepared(ray) : packed_.prepared(ray);
+        return test_ == OctreeLeafTest::single ? scalar_.prepared(ray) : packed_.prepared(ray);
     }
     template <Query Q, Counter C>
     void test(std::uint32_t leaf, const TestRay& ray, Hit& hit, C& count) const {
-        if (test_ == OctreeLeafTest::scalar) scalar_.test<Q>(ranges_[leaf], ray, hit, count);
+        if (test_ == OctreeLeafTest::single) scalar_.test<Q>(ranges_[leaf], ray, hit, count);
         else packed_.test<Q>(words_[leaf], ray, hit, count);
     }
     std::size_t bytes() const {

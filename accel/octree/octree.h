@@ -3,7 +3,7 @@
 #include "accel/bvh8/bvh8.h"
 #include "accel/octree/far_rays.h"
 #include "accel/octree/glassner84.h"
-#include "accel/octree/morton_list.h"
+#include "accel/octree/linear_octree.h"
 #include "accel/octree/nodes.h"
 #include "accel/octree/parametric.h"
 #include "accel/octree/recursive93.h"
@@ -33,34 +33,39 @@ public:
         OptionInfo{"traversal", "wide|glassner84|samet89|recursive93|parametric", "wide",
                    "how a ray finds the leaves it passes through"},
         OptionInfo{"planes", "centre|sah", "centre", "where a cell is cut"},
-        OptionInfo{"overlap", "bounds|exact|havran", "exact", "which primitives a cell holds"},
+        OptionInfo{"overlap", "bounds|exact|havran|loose", "bounds",
+                   "which primitives a cell holds"},
         OptionInfo{"storage", "nodes|linear", "nodes", "nodes, or a sorted list of leaves"},
-        OptionInfo{"leaves", "packed|scalar", "packed",
+        OptionInfo{"leaves", "packed|single", "packed",
                    "objects are tested side by side or singly"},
         OptionInfo{"leaf", "1 to 64", "4", "most primitives in a leaf, if it can be cut"},
         OptionInfo{"depth", "0 to 20", "20", "of the deepest leaf; the root's is 0"},
         OptionInfo{"stop", "count|cost", "cost", "cut by the leaf size alone, or by expected cost"},
-        OptionInfo{"references", "1 to 100000", "16", "most references for each primitive"},
+        OptionInfo{"from", "t_min|origin", "t_min",
+                   "where along the ray the first leaf is visited"},
+        OptionInfo{"bound", "1 to 100000", "16", "most references for each primitive"},
         OptionInfo{"packets", "on|off", "on", "wide: coherent rays go together, up to 64"},
         OptionInfo{"flight", "1 to 64", "16", "wide: incoherent rays on their way at once"}};
-    static constexpr std::array<std::string_view, 12> configurations{
+    static constexpr std::array<std::string_view, 14> configurations{
         "octree",
         "octree:packets=off,flight=1",
-        "octree:planes=sah,overlap=bounds",
-        "octree:traversal=parametric",
+        "octree:overlap=loose",
+        "octree:overlap=exact",
+        "octree:planes=sah",
+        "octree:traversal=parametric,overlap=exact",
         "octree:traversal=parametric,storage=linear,depth=12",
         "octree:traversal=glassner84,storage=linear,leaf=8,depth=9",
-        "octree:traversal=samet89,planes=sah",
-        "octree:traversal=glassner84,overlap=havran,leaves=scalar,leaf=1,depth=6,stop=count,"
-        "references=100000",
-        "octree:traversal=samet89,overlap=havran,leaves=scalar,leaf=1,depth=6,stop=count,"
-        "references=100000",
-        "octree:traversal=recursive93,overlap=havran,leaves=scalar,leaf=1,depth=6,stop=count,"
-        "references=100000",
-        "octree:traversal=glassner84,planes=sah,overlap=havran,leaves=scalar,leaf=1,depth=5,"
-        "stop=count,references=100000",
-        "octree:traversal=recursive93,planes=sah,overlap=havran,leaves=scalar,leaf=1,depth=5,"
-        "stop=count,references=100000"};
+        "octree:traversal=samet89,planes=sah,overlap=exact",
+        "octree:traversal=glassner84,overlap=havran,leaves=single,leaf=1,depth=4,stop=count,"
+        "bound=100000",
+        "octree:traversal=samet89,overlap=havran,leaves=single,leaf=1,depth=4,stop=count,"
+        "bound=100000",
+        "octree:traversal=recursive93,overlap=havran,leaves=single,leaf=1,depth=4,stop=count,"
+        "bound=100000",
+        "octree:traversal=glassner84,planes=sah,overlap=havran,leaves=single,leaf=1,depth=4,"
+        "stop=count,bound=100000",
+        "octree:traversal=recursive93,planes=sah,overlap=havran,leaves=single,leaf=1,depth=4,"
+        "stop=count,bound=100000"};
     using Wide = WideBvh<WideNode8>;
 
     struct Scratch {
@@ -78,13 +83,17 @@ private:
     template <Query Q, Counter C, class Cells>
     void trace(const Cells& cells, const Ray& from, Hit& hit, C& count) const;
     bool any_far(std::span<const Ray> rays) const;
+    /// Take the members of the cells over.
+    void keep_wide(const Geometry& geometry, WideTree<WideNode8>&& tree, const Options& chosen);
+    void keep_cells(const Geometry& geometry, OctreeCell& root, const Options& chosen);
 
     OctreeTraversal traversal_;
+    bool from_origin_ = false;  ///< rays enter cells from their origin on, not from t_min
     Box space_;
     std::optional<Membership> exact_;  ///< where hits of far rays can lie outside their cells
     std::optional<Wide> wide_;
     std::optional<OctreeNodes> nodes_;
-    std::optional<MortonList> list_;
+    std::optional<LinearOctree> list_;
     OctreeLeaves leaves_;
     Footprint footprint_;
 };
@@ -94,7 +103,12 @@ inline void Octree::trace(const Cells& cells, const Ray& from, Hit& hit, C& coun
     const TestRay ray = leaves_.prepared(from);
     const float extra = exact_ ? exact_->extra(from) : 0;
     const OctreeQuestion<Cells, Q, C> ask{
-        cells, leaves_, ray, clip(ray, space_, {from.t_min, infinity}), hit, count};
+        cells,
+        leaves_,
+        ray,
+        clip(ray, space_, {from_origin_ ? std::min(0.0f, from.t_min) : from.t_min, infinity}),
+        hit,
+        count};
     if (extra > 0) return void(visit_grown(ask, cells.root(), space_, extra));
     if (ask.within.empty() || !ask.reaches(ask.within.entry)) return;
     switch (traversal_) {

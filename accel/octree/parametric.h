@@ -18,14 +18,14 @@ inline unsigned first_child(const std::array<float, 3>& cuts, float entry) {
 
 /// Where a ray leaves a child: their Table 2, but for ties. In the paper the least of three
 /// parameters says which bit is set next.
-struct ChildExit {
+struct OctreeChildExit {
     float t;
     unsigned axes;  ///< whose cuts are crossed at t, a bit each
 
-    ChildExit(unsigned child, const std::array<float, 3>& cuts, float cell_exit)
+    OctreeChildExit(unsigned child, const std::array<float, 3>& cuts, float cell_exit)
         : t(cell_exit), axes(0) {
         for (unsigned axis = 0; axis < 3; ++axis) {
-            if (child >> axis & 1 || cuts[axis] > t) continue;
+            if (child >> axis & 1 || !(cuts[axis] <= t)) continue;  // nor NaN
             axes = cuts[axis] < t ? 1u << axis : axes | 1u << axis;
             t = cuts[axis];
         }
@@ -61,7 +61,7 @@ bool parametric(const Question& ask, const typename Question::Cell& cell, const 
     unsigned child = first_child(cuts, span.entry);
     float entry = span.entry;
     while (ask.reaches(entry)) {
-        const ChildExit exit(child, cuts, span.exit);
+        const OctreeChildExit exit(child, cuts, span.exit);
         if (enter(ask, cell, child, inside, {entry, exit.t})) return true;
         if (exit.axes == 0) return false;
         const bool touches_others = std::popcount(exit.axes) > 1;

@@ -5,7 +5,7 @@
 /// What every traversal of an octree is given: one ray, the cells, and what to do at a leaf.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// `Cells`: OctreeNodes or MortonList.
+/// `Cells`: OctreeNodes or LinearOctree.
 template <class Cells, Query Q, Counter C>
 struct OctreeQuestion {
     using Cell = typename Cells::Cell;

@@ -9,7 +9,7 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 /// added to it: planes are compared with t by where the ray crosses them, so what is found is a
 /// fact about floats.
 template <class Cell>
-struct Descent {
+struct OctreeDescent {
     Cell cell;
     float exit;                    ///< where the ray leaves it
     unsigned planes_at_exit = 1;   ///< that the ray crosses there
@@ -22,8 +22,7 @@ struct Descent {
 
 /// To the child that the ray is in just after t.
 template <class Question, class Cell = typename Question::Cell>
-void descend(const Question& ask, Descent<Cell>& at, float t) {
-    ask.step();
+void descend(const Question& ask, OctreeDescent<Cell>& at, float t) {
     unsigned child = ask.nearest;
     for (int axis = 0; axis < 3; ++axis) {
         const float crossing = ask.crossing(at.cell, axis);
@@ -71,7 +70,7 @@ bool visit_block(const Question& ask, const typename Question::Cell& cell, float
     return false;
 }
 
-/// `locate(t)`: the Descent to the leaf that the ray is in just after t; t never decreases.
+/// `locate(t)`: the OctreeDescent to the leaf that the ray is in just after t; t never decreases.
 ///
 /// If the ray left the last leaf through one plane, and crosses one plane on the descent to the
 /// next leaf at that t, it is the same plane, and no other leaf contains the point: a third one

@@ -1,14 +1,14 @@
-#include "accel/octree/morton_list.h"
+#include "accel/octree/linear_octree.h"
 
 #include <algorithm>
 
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-MortonList::MortonList(OctreeCell& root, OctreeLists& lists) : lattice_(root.box) {
+LinearOctree::LinearOctree(OctreeCell& root, OctreeLists& lists) : lattice_(root.box) {
     add(root, 0, lists);
 }
 
-void MortonList::add(OctreeCell& cell, std::uint64_t prefix, OctreeLists& lists) {
+void LinearOctree::add(OctreeCell& cell, std::uint64_t prefix, OctreeLists& lists) {
     const int below = bits - 1 - 3 * cell.lattice.level;  // bits for what lies deeper
     if (cell.interior()) {
         for (std::size_t i = 0; i < 8; ++i)
@@ -19,7 +19,7 @@ void MortonList::add(OctreeCell& cell, std::uint64_t prefix, OctreeLists& lists)
 }
 
 /// The leaves whose codes begin with the child's.
-MortonList::Cell MortonList::child(const Cell& cell, unsigned i) const {
+LinearOctree::Cell LinearOctree::child(const Cell& cell, unsigned i) const {
     const auto place_of = [&](std::uint64_t code) {
         return static_cast<unsigned>(code >> (bits - 3 - 3 * cell.lattice.level)) & 7;
     };
