@@ -29,6 +29,7 @@ int execute(const Catalogue& catalogue, int argc, const char* const* argv, std::
     add_bench(app, invocation);
     add_limits(app, invocation);
     add_report(app, invocation);
+    add_replay(app, invocation);
     add_seed_question(app, invocation);
     try {
         app.parse(argc, argv);
