@@ -30,6 +30,7 @@ int execute(const Catalogue& catalogue, int argc, const char* const* argv, std::
     add_limits(app, invocation);
     add_scaling(app, invocation);
     add_report(app, invocation);
+    add_replay(app, invocation);
     add_seed_question(app, invocation);
     try {
         app.parse(argc, argv);

@@ -4,6 +4,7 @@
 #include "accel/bvh8/group_walk.h"
 #include "accel/bvh8/halts.h"
 #include "accel/bvh8/in_packets.h"
+#include "accel/bvh8/layout.h"
 #include "accel/bvh8/packet_leaf.h"
 #include "accel/core/raw_array.h"
 #include "accel/core/session.h"
@@ -43,9 +44,14 @@ public:
     };
 
     WideBvh(const BuildInput& input, const Options& chosen);
+    /// Any tree of such nodes, whoever made it. `in_flight`: 1 to most_flights.
+    WideBvh(const Geometry& geometry, WideTree<Node>&& tree, bool packets, int in_flight);
 
     template <Query Q, Counter C>
     void many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    /// The same for one ray, with every box grown by `extra` >= 0.
+    template <Query Q, Counter C>
+    void trace_grown(const Ray& from, float extra, Hit& hit, C& count) const;
     Footprint footprint() const { return footprint_; }
 
 private:
@@ -190,5 +196,6 @@ struct Bvh8 : WideBvh<WideNode8> {
 }  // namespace rayshoot::inline RAYSHOOT_ISA
 
 #include "accel/bvh8/alone.h"
+#include "accel/bvh8/grown.h"
 #include "accel/bvh8/in_flight.h"
 #include "accel/bvh8/together.h"

@@ -28,6 +28,7 @@ void add_bench(CLI::App& app, Invocation& invocation);
 void add_limits(CLI::App& app, Invocation& invocation);
 void add_scaling(CLI::App& app, Invocation& invocation);
 void add_report(CLI::App& app, Invocation& invocation);
+void add_replay(CLI::App& app, Invocation& invocation);
 void add_seed_question(CLI::App& app, Invocation& invocation);
 
 }  // namespace rayshoot
