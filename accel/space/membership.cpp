@@ -18,10 +18,6 @@ bool is_flat(PrimitiveKind kind) {
     return kind == PrimitiveKind::triangle || kind == PrimitiveKind::polygon;
 }
 
-bool is_flat(PrimitiveKind kind) {
-    return kind == PrimitiveKind::triangle || kind == PrimitiveKind::polygon;
-}
-
 Box widened(Box box) {
     for (int axis = 0; axis < 3; ++axis)
         if (box.hi[axis] - box.lo[axis] < thin) {
