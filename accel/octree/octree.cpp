@@ -7,17 +7,6 @@
 namespace rayshoot::inline RAYSHOOT_ISA {
 namespace {
 
-OctreeSettings chosen_settings(const Options& chosen) {
-    return {.depth = chosen.integer("depth", 0, OctreeLattice::most_levels),
-            .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 64)),
-            .planes = chosen.choice<OctreePlanes>(
-                "planes", {{"centre", OctreePlanes::centre}, {"sah", OctreePlanes::sah}}),
-            .stop = chosen.choice<OctreeStop>(
-                "stop", {{"count", OctreeStop::count}, {"cost", OctreeStop::cost}}),
-            .loose = chosen.text("overlap") == "loose",
-            .most_references = chosen.number("bound", 1, 100000)};
-}
-
 OctreeTraversal chosen_traversal(const Options& chosen) {
     return chosen.choice<OctreeTraversal>("traversal",
                                           {{"wide", OctreeTraversal::wide},
@@ -28,10 +17,29 @@ OctreeTraversal chosen_traversal(const Options& chosen) {
 }
 
 Overlap chosen_overlap(const Options& chosen) {
-    return chosen.choice<Overlap>("overlap", {{"bounds", Overlap::bounds},
+    return chosen.choice<Overlap>("overlap", {{"auto", Overlap::bounds},
+                                              {"bounds", Overlap::bounds},
                                               {"exact", Overlap::exact},
                                               {"havran", Overlap::havran},
                                               {"loose", Overlap::bounds}});
+}
+
+/// overlap=auto: the fastest that the traversal can do.
+bool is_loose(const Options& chosen) {
+    const std::string_view overlap = chosen.text("overlap");
+    return overlap == "loose" ||
+           (overlap == "auto" && chosen_traversal(chosen) == OctreeTraversal::wide);
+}
+
+OctreeSettings chosen_settings(const Options& chosen) {
+    return {.depth = chosen.integer("depth", 0, OctreeLattice::most_levels),
+            .largest_leaf = static_cast<std::uint32_t>(chosen.integer("leaf", 1, 64)),
+            .planes = chosen.choice<OctreePlanes>(
+                "planes", {{"centre", OctreePlanes::centre}, {"sah", OctreePlanes::sah}}),
+            .stop = chosen.choice<OctreeStop>(
+                "stop", {{"count", OctreeStop::count}, {"cost", OctreeStop::cost}}),
+            .loose = is_loose(chosen),
+            .most_references = chosen.number("bound", 1, 100000)};
 }
 
 bool is_linear(const Options& chosen) {

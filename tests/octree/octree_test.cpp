@@ -101,8 +101,8 @@ TEST_P(OctreeForms, find_hits_from_so_far_away_that_they_are_reported_outside_th
 INSTANTIATE_TEST_SUITE_P(
     All, OctreeForms,
     testing::Values(
-        "octree", "octree:overlap=exact,stop=count,leaf=1,depth=7", "octree:overlap=loose,leaf=1",
-        "octree:overlap=exact,planes=sah,leaf=1",
+        "octree", "octree:overlap=bounds", "octree:overlap=exact,stop=count,leaf=1,depth=7",
+        "octree:overlap=loose,leaf=1", "octree:overlap=exact,planes=sah,leaf=1",
         "octree:overlap=exact,traversal=parametric,stop=count,leaf=1,depth=7",
         "octree:overlap=exact,traversal=parametric,storage=linear,stop=count,leaf=1,depth=7",
         "octree:overlap=exact,traversal=glassner84,stop=count,leaf=1,depth=6",
@@ -131,7 +131,9 @@ TEST(Octree, keeps_to_the_bound_on_references_and_says_so) {
     const Geometry geometry = needles();
     for (const int bound : {1, 4, 16}) {
         const Footprint footprint =
-            built("octree:stop=count,leaf=1,bound=" + std::to_string(bound), geometry)->footprint();
+            built("octree:overlap=bounds,stop=count,leaf=1,bound=" + std::to_string(bound),
+                  geometry)
+                ->footprint();
         EXPECT_LE(*footprint.references, static_cast<std::uint64_t>(bound) * geometry.size());
         EXPECT_NE(footprint.remark.find("references are bounded by " + std::to_string(bound)),
                   std::string::npos);
@@ -142,7 +144,7 @@ TEST(Octree, of_coincident_triangles_is_no_deeper_than_its_bound_allows) {
     GeometryBuilder builder = framed();
     for (int i = 0; i < 1000; ++i) builder.add_triangle({3, 3, 3}, {4, 3, 3}, {3, 4, 3});
     const Geometry geometry = std::move(builder).build();
-    for (const char* spec : {"octree", "octree:stop=count,leaf=1"}) {
+    for (const char* spec : {"octree", "octree:overlap=bounds,stop=count,leaf=1"}) {
         const Footprint footprint = built(spec, geometry)->footprint();
         EXPECT_LE(*footprint.references, 16u * geometry.size()) << spec;
         EXPECT_LE(*footprint.interior, 16u * 20) << spec;
