@@ -29,7 +29,7 @@ Protocol subdivision() {
     return {
         .name = "subdivision",
         .scenes = {"mesh/bunny", "mesh/dragon", "mesh/sibenik", "spd/balls", "spd/tree", "stadium"},
-        .structures = {"grid", "grid:nested=recursive", "octree", "bsp"},
+        .structures = {"grid", "grid:nested=recursive", "octree", "octree:overlap=bounds", "bsp"},
         .yardsticks = paths_of_embree,
         .size = "512x512",
         .least_repetitions = 15};
