@@ -44,14 +44,12 @@ std::array<Box, 8> boxes_near(const vec3& origin, cases::Random& random) {
 }
 
 template <class Bounds>
-void expect_beam_misses_nothing(int packets, auto&& change) {
+void expect_beam_misses_nothing() {
     cases::Random random(1);
     Packet packet;
     std::size_t met = 0, missed = 0;
-    for (int i = 0; i < packets; ++i) {
-        std::vector<Ray> rays = some_packet(packet, vec3(0), random);
-        change(rays, random);
-        if (!packet.load(rays, Precision::standard, anywhere)) continue;
+    for (int i = 0; i < 3000; ++i) {
+        const std::vector<Ray> rays = some_packet(packet, vec3(0), random);
         const std::array<Box, 8> each = boxes_near(rays[5].origin, random);
         Boxes<8> boxes;
         for (std::size_t j = 0; j < 8; ++j) boxes.set(j, each[j]);
@@ -66,37 +64,32 @@ void expect_beam_misses_nothing(int packets, auto&& change) {
                                           {ray.t_min, float_below(ray.t_max)});
                 if (own.empty()) continue;
                 any = true;
-                // A beam that NaN leaves unbounded misses nothing either.
-                ASSERT_FALSE(entries[j] > own.entry) << cases::print(ray);
-                ASSERT_FALSE(exits[j] < own.exit) << cases::print(ray);
+                ASSERT_LE(entries[j], own.entry) << cases::print(ray);
+                ASSERT_GE(exits[j], own.exit) << cases::print(ray);
             }
             met += any;
             missed += !(entries[j] <= exits[j]);
         }
     }
-    EXPECT_GT(met, 300u);
-    EXPECT_GT(missed, 300u);
+    EXPECT_GT(met, 1000u);
+    EXPECT_GT(missed, 1000u);
 }
 
 TEST(Packet, beam_meets_every_box_that_a_ray_meets) {
-    const auto as_they_are = [](std::vector<Ray>&, cases::Random&) {};
-    expect_beam_misses_nothing<Boxes<8>>(3000, as_they_are);
-    expect_beam_misses_nothing<QuantisedBoxes>(3000, as_they_are);
+    expect_beam_misses_nothing<Boxes<8>>();
+    expect_beam_misses_nothing<QuantisedBoxes>();
 }
 
-/// A component so small that its inverse is infinite: planes through the origin give NaN.
-TEST(Packet, beam_meets_every_box_that_a_ray_along_a_plane_meets) {
-    const auto along_a_plane = [](std::vector<Ray>& rays, cases::Random& random) {
+/// A component so small that its inverse is infinite would give NaN for planes through the origin.
+TEST(Packet, is_not_made_of_rays_whose_inverse_is_infinite) {
+    cases::Random random(3);
+    Packet packet;
+    for (int i = 0; i < 100; ++i) {
+        std::vector<Ray> rays = some_packet(packet, vec3(0), random);
         const int axis = static_cast<int>(random.below(3));
-        const float tiny = random.below(2) == 0 ? 1e-40f : -1e-40f;
-        const float place = static_cast<float>(random.uniform(-1, 1));
-        for (Ray& ray : rays) {
-            ray.direction[axis] = tiny;
-            ray.origin[axis] = place;
-        }
-    };
-    expect_beam_misses_nothing<Boxes<8>>(3000, along_a_plane);
-    expect_beam_misses_nothing<QuantisedBoxes>(3000, along_a_plane);
+        for (Ray& ray : rays) ray.direction[axis] = random.below(2) == 0 ? 1e-40f : 2e-40f;
+        EXPECT_FALSE(packet.load(rays, Precision::standard, anywhere));
+    }
 }
 
 using cases::Answer;
