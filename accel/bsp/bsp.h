@@ -90,13 +90,13 @@ private:
     template <Counter C>
     void count_steps(const Fleet& fleet, C& count) const;
     template <Query Q, Counter C>
-    void visit_leaves(Fleet& fleet, LaneSet lanes, LaneSet& over, C& count) const;
+    void visit_leaves(Fleet& fleet, FleetLanes lanes, FleetLanes& over, C& count) const;
     template <Query Q, class Block, Counter C>
-    void visit_blocks(Fleet& fleet, LaneSet& at_block, LaneSet& over, C& count) const;
+    void visit_blocks(Fleet& fleet, FleetLanes& at_block, FleetLanes& over, C& count) const;
     template <Query Q, Counter C>
-    void visit_mixed(Fleet& fleet, LaneSet& over, C& count) const;
+    void visit_mixed(Fleet& fleet, FleetLanes& over, C& count) const;
     template <Query Q>
-    void leave(Fleet& fleet, std::size_t lane, LaneSet& over) const;
+    void leave(Fleet& fleet, std::size_t lane, FleetLanes& over) const;
     // Inlined in any case: g++ 12 takes a function that does nothing but this for one without an
     // effect, and drops its calls.
     [[gnu::always_inline]] void fetch(std::uint32_t node) const {

@@ -7,11 +7,11 @@
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// Some lanes of a fleet, a bit each.
-using LaneSet = std::uint32_t;
+using FleetLanes = std::uint32_t;
 
 struct alignas(64) Fleet {
     static constexpr std::size_t lanes = simd::widest;
-    static constexpr LaneSet all = static_cast<LaneSet>((std::uint64_t{1} << lanes) - 1);
+    static constexpr FleetLanes all = static_cast<FleetLanes>((std::uint64_t{1} << lanes) - 1);
     using Row = std::array<float, lanes>;
     using WordRow = std::array<std::uint32_t, lanes>;
     using V = simd::Floats<lanes>;
@@ -36,9 +36,10 @@ struct alignas(64) Fleet {
     WordRow node;                        ///< of the cell that a lane is in
     Row entry{}, exit{};                 ///< its ray's part of it
     WordRow top{};                       ///< place of its last halt
-    LaneSet idle = all;                  ///< lanes without a ray
-    LaneSet waiting = 0;                 ///< lanes whose leaf is still to be tested
-    LaneSet to_triangles = 0, to_spheres = 0, to_mixed = 0;  ///< of these, by what the leaf holds
+    FleetLanes idle = all;               ///< lanes without a ray
+    FleetLanes waiting = 0;              ///< lanes whose leaf is still to be tested
+    FleetLanes to_triangles = 0, to_spheres = 0,
+               to_mixed = 0;  ///< of these, by what the leaf holds
     std::array<Passenger, lanes> passengers;
     std::array<Halts, lanes> halts;
 
@@ -49,7 +50,7 @@ struct alignas(64) Fleet {
     /// Goes on to the nearest cell that is left; false where there is none before the hit.
     bool pop(std::size_t lane);
     /// One step of every lane that is not at a leaf. Returns those that are at one now.
-    LaneSet step(const BspNode* nodes);
+    FleetLanes step(const BspNode* nodes);
 
 private:
     V of_axis(const std::array<Row, 3>& rows, W axis) const;
@@ -130,7 +131,7 @@ inline void Fleet::push(W far, V from, V to, W places) {
         halts[lane].at[next[lane]] = rows[lane % 4][lane / 4];
 }
 
-inline LaneSet Fleet::step(const BspNode* nodes) {
+inline FleetLanes Fleet::step(const BspNode* nodes) {
     using namespace simd;
     constexpr hn::RebindToSigned<decltype(word)> index;
     static_assert(sizeof(BspNode) == 2 * sizeof(float));

@@ -6,19 +6,14 @@
 /// the others move.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-/// Calls visit(lane) for each lane of a set.
-inline void for_each_lane(LaneSet set, auto&& visit) {
-    for (; set != 0; set &= set - 1) visit(static_cast<std::size_t>(std::countr_zero(set)));
-}
-
 template <Query Q, Counter C>
 inline void Bsp::trace_in_flight(const BatchPart& part, Answers<Q>& answers, Scratch& scratch,
                                  C& count) const {
     const std::span<Fleet> fleets(scratch.fleets.data(), fleets_);
     std::size_t started = 0, landed = 0;
     // Ends the lanes' rays, and starts others.
-    const auto relieve = [&](Fleet& fleet, LaneSet lanes) {
-        for_each_lane(lanes, [&](std::size_t lane) {
+    const auto relieve = [&](Fleet& fleet, FleetLanes lanes) {
+        simd::for_each(lanes, [&](std::size_t lane) {
             if ((fleet.idle >> lane & 1) == 0) {
                 const Fleet::Passenger& passenger = fleet.passengers[lane];
                 answers.store(part.first + passenger.number, passenger.hit);
@@ -35,10 +30,10 @@ inline void Bsp::trace_in_flight(const BatchPart& part, Answers<Q>& answers, Scr
     while (landed < part.rays.size())
         for (Fleet& fleet : fleets) {
             if (fleet.idle == Fleet::all) continue;
-            const LaneSet before = fleet.waiting | fleet.idle;
+            const FleetLanes before = fleet.waiting | fleet.idle;
             if constexpr (C::counts) count_steps(fleet, count);
-            const LaneSet at_leaf = fleet.step(tree_.nodes.data());
-            LaneSet over = 0;
+            const FleetLanes at_leaf = fleet.step(tree_.nodes.data());
+            FleetLanes over = 0;
             visit_leaves<Q>(fleet, at_leaf & ~before, over, count);
             visit_blocks<Q, TriangleBlock>(fleet, fleet.to_triangles, over, count);
             visit_blocks<Q, SphereBlock>(fleet, fleet.to_spheres, over, count);
@@ -55,20 +50,20 @@ inline void Bsp::count_steps(const Fleet& fleet, C& count) const {
 
 /// Lanes that have just come to a leaf pass it where it is empty; else they wait for each other.
 template <Query Q, Counter C>
-inline void Bsp::visit_leaves(Fleet& fleet, LaneSet lanes, LaneSet& over, C& count) const {
-    for_each_lane(lanes, [&](std::size_t lane) {
+inline void Bsp::visit_leaves(Fleet& fleet, FleetLanes lanes, FleetLanes& over, C& count) const {
+    simd::for_each(lanes, [&](std::size_t lane) {
         const BspNode leaf = tree_.nodes[fleet.node[lane]];
         count(Event::cell);
         if (leaf.is_empty()) {
             count(Event::empty_cell);
-            over |= static_cast<LaneSet>(!fleet.pop(lane)) << lane;
+            over |= static_cast<FleetLanes>(!fleet.pop(lane)) << lane;
             return;
         }
         const PackedLeaf packed = leaf.leaf();
         fetch(packed);
         fleet.passengers[lane].next_block = packed.first_block();
         fleet.passengers[lane].end_block = packed.first_block() + packed.block_count();
-        const LaneSet triangles = packed.only_triangles(), mixed = packed.is_mixed();
+        const FleetLanes triangles = packed.only_triangles(), mixed = packed.is_mixed();
         fleet.to_triangles |= triangles << lane;
         fleet.to_mixed |= mixed << lane;
         fleet.to_spheres |= (1 ^ triangles ^ mixed) << lane;
@@ -78,16 +73,17 @@ inline void Bsp::visit_leaves(Fleet& fleet, LaneSet lanes, LaneSet& over, C& cou
 
 /// After a leaf has been tested.
 template <Query Q>
-inline void Bsp::leave(Fleet& fleet, std::size_t lane, LaneSet& over) const {
+inline void Bsp::leave(Fleet& fleet, std::size_t lane, FleetLanes& over) const {
     fleet.waiting &= ~(1u << lane);
     const bool hit = Q == Query::occluded && fleet.passengers[lane].hit.primitive != no_primitive;
     const bool goes_on = fleet.pop(lane);
-    over |= static_cast<LaneSet>(hit | !goes_on) << lane;
+    over |= static_cast<FleetLanes>(hit | !goes_on) << lane;
 }
 
 /// Blocks for as many lanes at once as there are; fewer only where most lanes wait.
 template <Query Q, class Block, Counter C>
-inline void Bsp::visit_blocks(Fleet& fleet, LaneSet& at_block, LaneSet& over, C& count) const {
+inline void Bsp::visit_blocks(Fleet& fleet, FleetLanes& at_block, FleetLanes& over,
+                              C& count) const {
     const auto worth_while = [&] {
         const int waiting = std::popcount(at_block);
         return waiting >= static_cast<int>(rays_by_blocks) ||
@@ -121,8 +117,8 @@ inline void Bsp::visit_blocks(Fleet& fleet, LaneSet& at_block, LaneSet& over, C&
 }
 
 template <Query Q, Counter C>
-inline void Bsp::visit_mixed(Fleet& fleet, LaneSet& over, C& count) const {
-    for_each_lane(std::exchange(fleet.to_mixed, 0), [&](std::size_t lane) {
+inline void Bsp::visit_mixed(Fleet& fleet, FleetLanes& over, C& count) const {
+    simd::for_each(std::exchange(fleet.to_mixed, 0), [&](std::size_t lane) {
         Fleet::Passenger& passenger = fleet.passengers[lane];
         const PackedLeaf leaf = tree_.nodes[fleet.node[lane]].leaf();
         tree_.leaves.template test<Q>(leaf, passenger.ray, passenger.hit, count);

@@ -58,7 +58,7 @@ struct Departures {
     }
     template <class Node>
     void sort_leaves(const Flight<Node>* flights) {
-        for_each(std::exchange(to_leaf, 0), [&](std::size_t flight) {
+        simd::for_each(std::exchange(to_leaf, 0), [&](std::size_t flight) {
             const WideChild next = flights[flight].next;
             const std::uint64_t end = next.is_none();
             const std::uint64_t triangles = next.leaf().only_triangles();
@@ -93,15 +93,15 @@ inline void WideBvh<Node>::trace_in_flight(const Part& part, Answers<Q>& answers
     while (departures.any()) {
         const std::uint64_t at_node = std::exchange(departures.to_node, 0);
         // Two short loops: the processor looks ahead over more rays in each than in one long loop.
-        for_each(at_node, [&](std::size_t number) { cross(flights[number], count); });
-        for_each(at_node, [&](std::size_t number) {
+        simd::for_each(at_node, [&](std::size_t number) { cross(flights[number], count); });
+        simd::for_each(at_node, [&](std::size_t number) {
             go_down(flights[number]);
             go_on(number);
         });
         departures.sort_leaves(flights);
         visit_blocks<Q, TriangleBlock>(departures.to_triangles, departures, flights, count);
         visit_blocks<Q, SphereBlock>(departures.to_spheres, departures, flights, count);
-        for_each(std::exchange(departures.to_mixed, 0), [&](std::size_t number) {
+        simd::for_each(std::exchange(departures.to_mixed, 0), [&](std::size_t number) {
             Flight& flight = flights[number];
             visit_leaf<Q>(flight, count);
             flight.pop();
@@ -109,7 +109,7 @@ inline void WideBvh<Node>::trace_in_flight(const Part& part, Answers<Q>& answers
                 flight.next = WideChild::none();
             go_on(number);
         });
-        for_each(std::exchange(departures.to_end, 0), [&](std::size_t number) {
+        simd::for_each(std::exchange(departures.to_end, 0), [&](std::size_t number) {
             answers.store(part.first + flights[number].number, flights[number].hit);
             start_next(number);
         });

@@ -12,11 +12,6 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 /// Some rays of a packet or of one of its groups, a bit each, the first one's lowest.
 using RaySet = std::uint64_t;
 
-/// Calls visit(number) for each number in a set.
-inline void for_each(std::uint64_t set, auto&& visit) {
-    for (; set != 0; set &= set - 1) visit(static_cast<std::size_t>(std::countr_zero(set)));
-}
-
 class Packet {
 public:
     /// A group is one register or two, so that what is counted does not depend on the machine.
@@ -297,7 +292,7 @@ inline void Packet::test(RaySet rays, const SphereBlock& block, float padding, C
 
 template <Query Q, class Test>
 inline void Packet::test_each(RaySet rays, Test&& test) {
-    for_each(rays, [&](std::size_t ray) {
+    simd::for_each(rays, [&](std::size_t ray) {
         test(TestRay(rays_[ray], precision_), hits_[ray]);
         update<Q>(ray);
     });

@@ -95,8 +95,8 @@ inline void WideBvh<Node>::follow(Packet& packet, std::size_t group, GroupWalk& 
         const auto enter = [&](std::size_t place) {
             admit(packet, group, halt.rays, node, place, entry_of[place], walk, count);
         };
-        for_each(places & ~(1u << nearest), enter);
-        for_each(places & 1u << nearest, enter);
+        simd::for_each(places & ~(1u << nearest), enter);
+        simd::for_each(places & 1u << nearest, enter);
     }
 }
 

@@ -24,7 +24,7 @@ struct Footprint {
         std::nullopt;                                   ///< [N_OIV] primitive references in leaves
     std::optional<std::uint64_t> depth = std::nullopt;  ///< of the deepest leaf; the root's is 0
     std::optional<std::uint64_t> bytes =
-        std::nullopt;  ///< the structure without the geometry it refers to
+        std::nullopt;         ///< the structure without the geometry it refers to
     std::string remark = {};  ///< what its builder has to say: that it stopped at a bound, say
 };
 

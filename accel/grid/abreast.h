@@ -9,7 +9,7 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 template <Query Q, Counter C>
 struct Grid::Abreast {
     const Grid& grid;
-    const Part& part;
+    const BatchPart& part;
     Answers<Q>& answers;
     Scratch& scratch;
     C& count;
@@ -18,7 +18,7 @@ struct Grid::Abreast {
 
     void trace() {
         while (true) {
-            for_each_lane(idle, [&](std::size_t lane) { refill(lane); });
+            simd::for_each(idle, [&](std::size_t lane) { refill(lane); });
             if ((walking | waiting) == 0) return;
             step();
             visit_leaves();
@@ -108,8 +108,8 @@ inline void Grid::Abreast<Q, C>::step() {
                 flock().step(first, walking & lanes, outermost().lattice, grid.cells_.data());
             walking &= ~lanes;
             came_to_cells(stepped.moved, stepped.arrived);
-            for_each_lane(stepped.tied, [&](std::size_t lane) { go_alone(lane); });
-            for_each_lane(stepped.ended, [&](std::size_t lane) { finish(lane); });
+            simd::for_each(stepped.tied, [&](std::size_t lane) { go_alone(lane); });
+            simd::for_each(stepped.ended, [&](std::size_t lane) { finish(lane); });
         }
 }
 
@@ -121,7 +121,7 @@ inline void Grid::Abreast<Q, C>::came_to_cells(LaneSet moved, LaneSet arrived) {
         count(Event::cell, empty);
         count(Event::empty_cell, empty);
     }
-    for_each_lane(arrived, [&](std::size_t lane) { grid.fetch(flock().word(lane)); });
+    simd::for_each(arrived, [&](std::size_t lane) { grid.fetch(flock().word(lane)); });
     walking |= moved & ~arrived;
     waiting |= arrived;
 }
@@ -138,7 +138,7 @@ void Grid::Abreast<Q, C>::go_alone(std::size_t lane) {
 template <Query Q, Counter C>
 inline void Grid::Abreast<Q, C>::visit_leaves() {
     LaneSet triangles = 0, spheres = 0;
-    for_each_lane(waiting, [&](std::size_t lane) {
+    simd::for_each(waiting, [&](std::size_t lane) {
         const CellWord word = flock().word(lane);
         const PackedLeaf leaf = PackedLeaf::from(word.leaf());
         if (!word.is_leaf() || leaf.is_mixed()) return visit_other(lane);
@@ -147,7 +147,7 @@ inline void Grid::Abreast<Q, C>::visit_leaves() {
     });
     visit_blocks<TriangleBlock>(triangles);
     visit_blocks<SphereBlock>(spheres);
-    for_each_lane(std::exchange(waiting, 0), [&](std::size_t lane) {
+    simd::for_each(std::exchange(waiting, 0), [&](std::size_t lane) {
         if (over<Q>(flock().hit(lane))) return finish(lane);
         flock().update(lane);
         walking |= LaneSet{1} << lane;

@@ -10,11 +10,6 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 /// Some rays of a flock, a bit each.
 using LaneSet = std::uint64_t;
 
-/// Calls visit(lane) for each of a set.
-inline void for_each_lane(LaneSet set, const auto& visit) {
-    for (; set != 0; set &= set - 1) visit(static_cast<std::size_t>(std::countr_zero(set)));
-}
-
 class Flock {
 public:
     static constexpr std::size_t width = simd::widest, size = 32;

@@ -73,17 +73,15 @@ Grid::Grid(const BuildInput& input, const Options& chosen)
     const LeafKind kind = chosen_leaves(chosen);
     skip_ = settings.skip;
     const bool lanes = kind == LeafKind::packed && skip_ != Skip::macro;
-    abreast_ = chosen.flag("abreast") && lanes;
-    packets_ = chosen.flag("packets") && lanes;
     GridTree tree = build_grid_tree(input, membership_, settings);
     if (!tree.grids.empty()) {
         const Lattice& outermost = tree.grids.front().lattice;
         space_ = {outermost.lo(), outermost.box(outermost.last()).hi};
         nearby_ = {space_.lo - Flock::most_cells_away * outermost.step(),
                    space_.hi + Flock::most_cells_away * outermost.step()};
-        const bool in_range = finite(outermost.per_step());
-        abreast_ = abreast_ && in_range;
-        packets_ = packets_ && in_range;
+        const bool in_range = lanes && finite(outermost.per_step());
+        abreast_ = chosen.flag("abreast") && in_range;
+        packets_ = chosen.flag("packets") && in_range;
         const vec3 size = space_.size();
         most_apart_ = std::max({size.x, size.y, size.z}) / 8;
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "accel/bvh8/in_packets.h"
+#include "accel/bvh8/packet_leaf.h"
 #include "accel/core/session.h"
 #include "accel/grid/cell_leaves.h"
 #include "accel/grid/flock.h"
@@ -83,12 +85,6 @@ private:
         C& count;
     };
 
-    /// Some rays of a batch.
-    struct Part {
-        std::span<const Ray> rays;
-        std::size_t first = 0;  ///< place of the first one in the batch
-    };
-
     template <Query Q>
     static bool over(const Hit& hit) {
         return Q == Query::occluded && hit.primitive != no_primitive;
@@ -99,18 +95,20 @@ private:
     template <Query Q, Counter C>
     void trace_alone(const Ray& ray, Hit& hit, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
-    void trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    void trace_each(const BatchPart& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
     struct Abreast;
+    std::optional<Sweep> sweep_of(std::span<const Ray> rays, Packet& packet) const;
     template <Query Q, Counter C>
-    bool trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    void trace_together(Sweep sweep, const BatchPart& part, Answers<Q>& answers, Scratch& scratch,
+                        C& count) const;
     template <Query Q, Counter C>
     int visit_slice(const Sweep& sweep, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
     void visit_cell(CellWord word, const Box& box, RaySet rays, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
-    [[gnu::noinline]] void visit_others(CellWord word, const Box& box, RaySet rays,
-                                        Scratch& scratch, C& count) const;
+    [[gnu::noinline]] void visit_grid(CellWord word, const Box& box, RaySet rays, Scratch& scratch,
+                                      C& count) const;
     template <Query Q, Counter C>
     void enter(const SubGrid& grid, float t, Search<C>& search) const;
     template <Query Q, Counter C>
@@ -137,26 +135,21 @@ private:
 template <Query Q, Counter C>
 inline void Grid::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch,
                        C& count) const {
-    const std::span<const Ray> rays = batch.rays;
-    std::size_t waiting = 0;  // the first ray that has not been traced
-    const auto together = [&](std::size_t first, std::size_t size) {
-        if (!trace_together<Q>({rays.subspan(first, size), first}, answers, scratch, count))
-            return false;
-        trace_each<Q>({rays.subspan(waiting, first - waiting), waiting}, answers, scratch, count);
-        waiting = first + size;
-        return true;
-    };
-    for (std::size_t i = 0; packets_ && i + Packet::group <= rays.size(); i += Packet::most) {
-        const std::size_t whole_groups = (rays.size() - i) / Packet::group * Packet::group;
-        const std::size_t size = std::min(Packet::most, whole_groups);
-        if (together(i, size) || size == Packet::group) continue;
-        for (std::size_t j = i; j < i + size; j += Packet::group) together(j, Packet::group);
-    }
-    trace_each<Q>({rays.subspan(waiting), waiting}, answers, scratch, count);
+    const auto each = [&](const BatchPart& part) { trace_each<Q>(part, answers, scratch, count); };
+    if (!packets_) return each({batch.rays});
+    std::optional<Sweep> sweep;
+    in_packets(
+        batch.rays,
+        [&](std::span<const Ray> rays) {
+            sweep = sweep_of(rays, scratch.packet);
+            return sweep.has_value();
+        },
+        [&](const BatchPart& part) { trace_together<Q>(*sweep, part, answers, scratch, count); },
+        each);
 }
 
 template <Query Q, Counter C>
-inline void Grid::trace_each(const Part& part, Answers<Q>& answers, Scratch& scratch,
+inline void Grid::trace_each(const BatchPart& part, Answers<Q>& answers, Scratch& scratch,
                              C& count) const {
     constexpr std::size_t few = 4;  // for which a flock does not pay
     if (abreast_ && part.rays.size() > few)

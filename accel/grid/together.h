@@ -6,30 +6,33 @@
 /// which rays enter it.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-template <Query Q, Counter C>
-bool Grid::trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const {
-    Packet& packet = scratch.packet;
-    if (!packet.load(part.rays, leaves_.packed().precision(), most_apart_)) return false;
+/// None where the rays make no packet that could sweep.
+inline std::optional<Sweep> Grid::sweep_of(std::span<const Ray> rays, Packet& packet) const {
+    if (!packet.load(rays, leaves_.packed().precision(), most_apart_)) return std::nullopt;
     const Beam beam = packet.beam(packet.all());
-    Ray farthest = part.rays.front();
+    Ray farthest = rays.front();
     for (int axis = 0; axis < 3; ++axis) {
         const float lo = beam.origin_lo[axis], hi = beam.origin_hi[axis];
         const float middle = space_.centre()[axis];
         farthest.origin[axis] = std::abs(lo - middle) > std::abs(hi - middle) ? lo : hi;
     }
-    if (!(beam.t_min >= 0) || membership_.extra(farthest) > 0) return false;
+    if (!(beam.t_min >= 0) || !membership_.made_for(farthest)) return std::nullopt;
+    return Sweep::of(packet, beam, grids_.front().lattice);
+}
+
+template <Query Q, Counter C>
+void Grid::trace_together(Sweep sweep, const BatchPart& part, Answers<Q>& answers, Scratch& scratch,
+                          C& count) const {
+    const Packet& packet = scratch.packet;
     const Lattice& lattice = grids_.front().lattice;
-    std::optional<Sweep> sweep = Sweep::of(packet, beam, lattice);
-    if (!sweep) return false;
-    while (sweep->inside()) {
-        const int skipped = visit_slice<Q>(*sweep, scratch, count);
+    while (sweep.inside()) {
+        const int skipped = visit_slice<Q>(sweep, scratch, count);
         if (skipped == 0 &&
-            !packet.any_reaches(static_cast<std::size_t>(sweep->axis()), sweep->end_plane(lattice)))
+            !packet.any_reaches(static_cast<std::size_t>(sweep.axis()), sweep.end_plane(lattice)))
             break;
-        sweep->advance(1 + skipped);
+        sweep.advance(1 + skipped);
     }
     for (std::size_t i = 0; i < part.rays.size(); ++i) answers.store(part.first + i, packet.hit(i));
-    return true;
 }
 
 /// Returns how many slices after this one are empty where the rays come through.
@@ -61,45 +64,24 @@ inline int Grid::visit_slice(const Sweep& sweep, Scratch& scratch, C& count) con
     return sweep.slices_within(clearance);
 }
 
-/// What is called most: all that it calls is inlined.
 template <Query Q, Counter C>
-[[gnu::flatten]] inline void Grid::visit_cell(CellWord word, const Box& box, RaySet rays,
-                                              Scratch& scratch, C& count) const {
-    const PackedLeaves& leaves = leaves_.packed();
-    const PackedLeaf leaf = PackedLeaf::from(word.leaf());
-    if (!word.is_leaf() || !leaf.only_triangles() || leaves.precision() != Precision::standard)
-        return visit_others<Q>(word, box, rays, scratch, count);
-    if constexpr (C::counts) count(Event::cell, static_cast<std::uint64_t>(std::popcount(rays)));
-    for (std::uint32_t i = 0; i < leaf.block_count(); ++i)
-        scratch.packet.test<Q, Precision::standard>(
-            rays, leaves.block<TriangleBlock>(leaf.first_block() + i), leaves.padding(), count);
+inline void Grid::visit_cell(CellWord word, const Box& box, RaySet rays, Scratch& scratch,
+                             C& count) const {
+    if (word.is_leaf()) [[likely]]
+        return visit_leaf<Q>(leaves_.packed(), scratch.packet, rays, PackedLeaf::from(word.leaf()),
+                             count);
+    visit_grid<Q>(word, box, rays, scratch, count);
 }
 
-/// Whatever is not triangles in the standard precision; out of the way of those that are.
+/// Rays go through a grid in a cell one by one.
 template <Query Q, Counter C>
-void Grid::visit_others(CellWord word, const Box& box, RaySet rays, Scratch& scratch,
-                        C& count) const {
-    const PackedLeaves& leaves = leaves_.packed();
-    const PackedLeaf leaf = PackedLeaf::from(word.leaf());
-    Packet& packet = scratch.packet;
-    if (!word.is_leaf())
-        return packet.test_each<Q>(rays, [&](const TestRay& ray, Hit& hit) {
-            Search<C> search = search_for(ray, 0, hit, scratch, count);
-            const Interval inside = clip(ray, box, {ray.t_min, hit.t});
-            enter<Q>(grids_[word.grid()], inside.entry, search);
-        });
-    if constexpr (C::counts) count(Event::cell, static_cast<std::uint64_t>(std::popcount(rays)));
-    if (leaf.is_mixed())
-        return packet.test_each<Q>(rays, [&](const TestRay& ray, Hit& hit) {
-            leaves.template test<Q>(leaf, ray, hit, count);
-        });
-    for (std::uint32_t i = 0; i < leaf.block_count(); ++i) {
-        const std::uint32_t block = leaf.first_block() + i;
-        if (leaf.only_triangles())
-            packet.test<Q, Precision::watertight>(rays, leaves.block<TriangleBlock>(block),
-                                                  leaves.padding(), count);
-        else packet.test<Q>(rays, leaves.block<SphereBlock>(block), leaves.padding(), count);
-    }
+void Grid::visit_grid(CellWord word, const Box& box, RaySet rays, Scratch& scratch,
+                      C& count) const {
+    scratch.packet.test_each<Q>(rays, [&](const TestRay& ray, Hit& hit) {
+        Search<C> search = search_for(ray, 0, hit, scratch, count);
+        const Interval inside = clip(ray, box, {ray.t_min, hit.t});
+        enter<Q>(grids_[word.grid()], inside.entry, search);
+    });
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

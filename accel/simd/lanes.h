@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -95,6 +96,11 @@ inline auto mask_of(D tag, std::uint32_t bits) {
     const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits),
                                             static_cast<std::uint8_t>(bits >> 8)};
     return hn::LoadMaskBits(tag, bytes.data());
+}
+
+/// Calls visit(number) for each bit that is set, the lowest first.
+inline void for_each(std::uint64_t set, auto&& visit) {
+    for (; set != 0; set &= set - 1) visit(static_cast<std::size_t>(std::countr_zero(set)));
 }
 
 /// For each set of up to eight lanes their numbers in ascending order, a byte each.

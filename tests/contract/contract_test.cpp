@@ -14,6 +14,27 @@ TEST_P(EveryConfiguration, answers_like_brute_force) {
     EXPECT_TRUE(report.passed()) << GetParam() << ": " << report;
 }
 
+/// Rays that go together: structures take them another way than rays alone.
+TEST_P(EveryConfiguration, finds_nothing_in_nothing_for_rays_that_go_together) {
+    const Geometry geometry = GeometryBuilder().build();
+    const BuildInput input{geometry};
+    const auto session = build(built_in_catalogue(), GetParam(), input)->open(Mode::timing);
+    std::vector<Ray> rays(200);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const float step = 0.001f * static_cast<float>(i % 16);
+        rays[i] = {.origin = vec3(0), .direction = {1, 0.5f + step, 0.25f + step}};
+    }
+    const RayBatch batch{RayKind::camera, 0, rays, {}};
+    std::vector<Hit> hits(rays.size(), Hit{1, 1, 1, 1});
+    std::vector<std::uint8_t> occluded(rays.size(), 1);
+    session->closest(batch, hits);
+    session->occluded(batch, occluded);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(hits[i].primitive, no_primitive);
+        EXPECT_EQ(occluded[i], 0);
+    }
+}
+
 /// GoogleTest allows only letters, digits and underscores.
 std::string test_name(const testing::TestParamInfo<std::string>& spec) {
     std::string name = spec.param;

@@ -50,7 +50,7 @@ TEST(Flock, steps_every_lane_through_the_cells_that_a_walk_visits) {
                 const LaneSet lanes = walking & (((LaneSet{1} << Flock::width) - 1) << first);
                 if (lanes == 0) continue;
                 const auto stepped = flock.step(first, lanes, lattice, cells.data());
-                for_each_lane(lanes, [&](std::size_t lane) {
+                simd::for_each(lanes, [&](std::size_t lane) {
                     Walk& walk = *walks[lane];
                     const unsigned out = walk.axes_out();
                     const LaneSet self = LaneSet{1} << lane;
