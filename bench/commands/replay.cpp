@@ -35,11 +35,11 @@ PublishedTable table_to_replay(const ReplayArguments& arguments) {
     return table;
 }
 
-/// Relative to the published number; "" where that is 0 or nothing was counted.
+/// Relative to the published number; "" where that is 0.
 std::string difference(const ReplayedNumber& number) {
-    if (!number.ours || number.published.value == 0) return "";
+    if (number.published.value == 0) return "";
     char text[32];
-    const double share = (*number.ours - number.published.value) / number.published.value;
+    const double share = (number.ours - number.published.value) / number.published.value;
     std::snprintf(text, sizeof text, "%+.2f%%", 100 * share);
     return text;
 }
@@ -51,8 +51,8 @@ Json to_json(const ReplayedNumber& number) {
             {"scene", published.scene},
             {"metric", published.metric},
             {"published", published.value},
-            {"ours", number.ours ? Json(*number.ours) : Json(nullptr)},
-            {"difference", number.ours ? Json(*number.ours - published.value) : Json(nullptr)},
+            {"ours", number.ours},
+            {"difference", number.ours - published.value},
             {"tolerance", published.tolerance ? Json(*published.tolerance) : Json(nullptr)},
             {"verdict", verdict_name(number.verdict)},
             {"measure", published.measure},
@@ -77,7 +77,7 @@ std::string summary(const std::vector<ReplayedNumber>& numbers) {
     std::string text = std::to_string(numbers.size()) + " numbers:";
     for (const ReplayVerdict verdict :
          {ReplayVerdict::exact, ReplayVerdict::within, ReplayVerdict::pinned, ReplayVerdict::open,
-          ReplayVerdict::off, ReplayVerdict::changed, ReplayVerdict::skipped}) {
+          ReplayVerdict::off, ReplayVerdict::changed}) {
         const auto count = std::count_if(numbers.begin(), numbers.end(), [&](const auto& number) {
             return number.verdict == verdict;
         });

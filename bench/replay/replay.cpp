@@ -1,5 +1,6 @@
 #include "bench/replay/replay.h"
 
+#include "bench/comparison/specimen.h"
 #include "bench/streams/record.h"
 #include "data/scenes.h"
 #include "tracer/render.h"
@@ -59,12 +60,6 @@ CountedByName count(const Scene& scene, const Accel& accel) {
     return counted;
 }
 
-bool is_known(const Catalogue& catalogue, const std::string& spec) {
-    const std::string name = spec.substr(0, spec.find_first_of(":+"));
-    return std::any_of(catalogue.begin(), catalogue.end(),
-                       [&](const StructureEntry& entry) { return entry.name == name; });
-}
-
 ReplayVerdict judge(const PublishedNumber& published, double ours) {
     if (published.tolerance) {
         if (ours == published.value) return ReplayVerdict::exact;
@@ -87,9 +82,13 @@ auto blaming(const PublishedTable& table, std::size_t line, Task&& task) {
     }
 }
 
-void require_measures(const PublishedTable& table) {
+/// Before anything is counted, which takes minutes.
+void require_known(const Catalogue& catalogue, const PublishedTable& table) {
     for (const PublishedNumber& number : table.numbers)
-        blaming(table, number.line, [&] { return Measure(number.measure, names()); });
+        blaming(table, number.line, [&] {
+            require_spec(catalogue, number.spec);
+            return Measure(number.measure, names());
+        });
 }
 
 }  // namespace
@@ -107,11 +106,9 @@ std::string_view verdict_name(ReplayVerdict verdict) {
         case ReplayVerdict::off:
             return "OFF";
         case ReplayVerdict::changed:
-            return "CHANGED";
-        case ReplayVerdict::skipped:
             break;
     }
-    return "skipped";
+    return "CHANGED";
 }
 
 std::size_t rebuilds(const PublishedTable& table) {
@@ -123,14 +120,11 @@ std::size_t rebuilds(const PublishedTable& table) {
 
 std::vector<ReplayedNumber> replay(const Catalogue& catalogue, const PublishedTable& table,
                                    const ReplayProgress& progress) {
-    require_measures(table);
+    require_known(catalogue, table);
     std::map<std::string, Scene> scenes;
     std::map<std::pair<std::string, std::string>, CountedByName> counts;
     std::vector<ReplayedNumber> replayed;
     for (const PublishedNumber& number : table.numbers) {
-        ReplayedNumber& row =
-            replayed.emplace_back(ReplayedNumber{number, {}, ReplayVerdict::skipped});
-        if (!is_known(catalogue, number.spec)) continue;
         auto [counted, is_new] = counts.try_emplace({number.scene, number.spec});
         if (is_new) {
             if (progress) progress(number.scene, number.spec);
@@ -142,8 +136,8 @@ std::vector<ReplayedNumber> replay(const Catalogue& catalogue, const PublishedTa
                 return count(scene->second, *build(catalogue, number.spec, input));
             });
         }
-        row.ours = Measure(number.measure, names()).of(counted->second);
-        row.verdict = judge(number, *row.ours);
+        const double ours = Measure(number.measure, names()).of(counted->second);
+        replayed.push_back({number, ours, judge(number, ours)});
     }
     return replayed;
 }

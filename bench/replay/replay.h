@@ -9,13 +9,12 @@
 namespace rayshoot {
 
 enum class ReplayVerdict : std::uint8_t {
-    exact,    ///< the same number
-    within,   ///< the tolerance
-    pinned,   ///< no tolerance is promised; our number is the one that was recorded
-    open,     ///< no tolerance is promised, and no number of ours was recorded
-    off,      ///< outside the tolerance
-    changed,  ///< our number is not the one that was recorded
-    skipped   ///< the catalogue has no such structure
+    exact,   ///< the same number
+    within,  ///< the tolerance
+    pinned,  ///< no tolerance is promised; our number is the one that was recorded
+    open,    ///< no tolerance is promised, and no number of ours was recorded
+    off,     ///< outside the tolerance
+    changed  ///< our number is not the one that was recorded
 };
 std::string_view verdict_name(ReplayVerdict verdict);
 inline bool is_broken(ReplayVerdict verdict) {
@@ -24,8 +23,8 @@ inline bool is_broken(ReplayVerdict verdict) {
 
 struct ReplayedNumber {
     PublishedNumber published;
-    std::optional<double> ours;  ///< nullopt: skipped
-    ReplayVerdict verdict = ReplayVerdict::skipped;
+    double ours = 0;
+    ReplayVerdict verdict = ReplayVerdict::open;
 };
 
 /// Called before each structure is built.
