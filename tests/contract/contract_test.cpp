@@ -18,7 +18,8 @@ TEST_P(EveryConfiguration, answers_like_brute_force) {
 TEST_P(EveryConfiguration, finds_nothing_in_nothing_for_rays_that_go_together) {
     const Geometry geometry = GeometryBuilder().build();
     const BuildInput input{geometry};
-    const auto session = build(built_in_catalogue(), GetParam(), input)->open(Mode::timing);
+    const auto structure = build(built_in_catalogue(), GetParam(), input);
+    const auto session = structure->open(Mode::timing);
     std::vector<Ray> rays(200);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const float step = 0.001f * static_cast<float>(i % 16);
