@@ -10,7 +10,8 @@ namespace {
 class EveryConfiguration : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryConfiguration, answers_like_brute_force) {
-    const Report report = run_contract(built_in_catalogue(), GetParam(), {});
+    static const Contract contract;
+    const Report report = contract.run(built_in_catalogue(), GetParam());
     EXPECT_TRUE(report.passed()) << GetParam() << ": " << report;
 }
 
