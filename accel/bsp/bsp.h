@@ -5,9 +5,9 @@
 #include "accel/bsp/outlines.h"
 #include "accel/bsp/ropes.h"
 #include "accel/bsp/walk.h"
-#include "accel/bvh8/in_packets.h"
-#include "accel/bvh8/packet_leaf.h"
-#include "accel/core/session.h"
+#include "accel/core/structure.h"
+#include "accel/simd/in_packets.h"
+#include "accel/simd/packet_leaf.h"
 #include "accel/space/membership.h"
 
 /// Binary space partitioning: Kaplan's tree and the kd-tree. Coherent rays go together as packets;

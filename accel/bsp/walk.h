@@ -1,7 +1,7 @@
 #pragma once
 
 #include "accel/bsp/sketch.h"
-#include "accel/bvh8/packet.h"
+#include "accel/simd/packet.h"
 
 /// What a packet's rays have still to visit.
 namespace rayshoot::inline RAYSHOOT_ISA {

@@ -3,11 +3,11 @@
 #include "accel/bvh/builders.h"
 #include "accel/bvh8/group_walk.h"
 #include "accel/bvh8/halts.h"
-#include "accel/bvh8/in_packets.h"
 #include "accel/bvh8/layout.h"
-#include "accel/bvh8/packet_leaf.h"
 #include "accel/core/raw_array.h"
-#include "accel/core/session.h"
+#include "accel/core/structure.h"
+#include "accel/simd/in_packets.h"
+#include "accel/simd/packet_leaf.h"
 
 /// Bounding-volume hierarchy with several children a node, tested at once. Coherent rays go
 /// together as packets; of the others many are in flight, so that one ray's wait for memory is the

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "accel/bvh8/flight.h"
-#include "accel/bvh8/packet.h"
+#include "accel/simd/packet.h"
 
 /// What a group of a packet's rays has still to visit, and which of them.
 namespace rayshoot::inline RAYSHOOT_ISA {

@@ -1,16 +1,12 @@
 #pragma once
 
+#include "accel/core/answers.h"
 #include "accel/core/catalogue.h"
 #include "accel/core/leaves.h"
 #include "accel/core/options.h"
 
 /// What an author writes, spelt out as concepts, and the Accel made of it.
 namespace rayshoot::inline RAYSHOOT_ISA {
-
-/// What a batch-answering structure writes to: store(i, hit) or decline(i), once for every ray,
-/// declines ascending. `hit` starts from nothing_yet(ray).
-template <Query Q>
-class Answers;
 
 /// A structure says what it is called, in a word and in a line.
 template <class S>

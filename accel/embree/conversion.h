@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/core/session.h"
+#include "accel/core/answers.h"
 #include "accel/embree/scene.h"
 
 #include <algorithm>

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "accel/bvh8/in_packets.h"
-#include "accel/bvh8/packet_leaf.h"
-#include "accel/core/session.h"
+#include "accel/core/structure.h"
 #include "accel/grid/cell_leaves.h"
 #include "accel/grid/flock.h"
 #include "accel/grid/layers.h"
 #include "accel/grid/sweep.h"
 #include "accel/grid/walk.h"
+#include "accel/simd/in_packets.h"
+#include "accel/simd/packet_leaf.h"
 
 /// Regular grid: space in equal boxes, each with the objects in it, and grids in its cells where
 /// they are crowded. See README.md.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "accel/bvh8/packet.h"
 #include "accel/grid/lattice.h"
+#include "accel/simd/packet.h"
 
 #include <optional>
 

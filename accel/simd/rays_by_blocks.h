@@ -77,6 +77,31 @@ inline V chosen(decltype(simd::hn::Lt(V{}, V{})) mask, V v) {
     return hn::Or(v, hn::Shuffle2301(v));
 }
 
+/// The lanes of the first `size` rays, which alone count.
+class Counted {
+public:
+    explicit Counted(std::size_t size) : lanes_((1u << 4 * size) - 1) {}
+    template <class Mask>
+    std::uint32_t lanes(Mask mask) const {
+        return simd::bits(tag, mask) & lanes_;
+    }
+    template <class Mask, Counter C>
+    void count(Event event, Mask mask, C& count) const {
+        if constexpr (C::counts)
+            count(event, static_cast<std::uint64_t>(std::popcount(lanes(mask))));
+    }
+
+private:
+    std::uint32_t lanes_;
+};
+
+/// Calls visit(ray, lane of its quad) for each of some lanes; there are seldom any.
+template <class Visit>
+inline void each(std::uint32_t set, Visit&& visit) {
+    if (set != 0) [[unlikely]]
+        simd::for_each(set, [&](std::size_t lane) { visit(lane / 4, lane % 4); });
+}
+
 }  // namespace quads
 
 /// Rules 3 and 4 of core/README.md for each ray: the nearest primitive that is met, of equally near
@@ -231,17 +256,13 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
     using namespace simd;
     using quads::tag, quads::V;
     const Vectors<V>&a = triangles.a, &b = triangles.b, &c = triangles.c;
-    const std::uint32_t counted = (1u << 4 * size) - 1;
+    const quads::Counted counted(size);
     const auto live = triangles.live();
-    const auto count_lanes = [&](Event event, auto mask) {
-        if constexpr (C::counts)
-            count(event, static_cast<std::uint64_t>(std::popcount(bits(tag, mask) & counted)));
-    };
-    count_lanes(Event::object_test, live);
+    counted.count(Event::object_test, live, count);
     const auto offer = [&](V t, V u, V v, auto inside) __attribute__((always_inline)) {
         const auto hit = clamped<V>({t, inside}, a, triangle_bounds(a, b, c), rays.origin,
                                     rays.inverse(), padding);
-        count_lanes(Event::object_hit, hit.met);
+        counted.count(Event::object_hit, hit.met, count);
         accept_nearest(hit_of, triangles.numbers, rays.t_min, hit, u, v);
     };
     if constexpr (P == Precision::watertight) {
@@ -259,13 +280,10 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
         if (M == Misses::leave && hn::AllFalse(tag, near)) return false;
         const auto trusted = sums.trusted();
         const auto inside = hn::And(hn::And(near, trusted), sums.inside());
-        const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, near)) & counted;
+        const std::uint32_t untrusted = counted.lanes(hn::AndNot(trusted, near));
         offer(hn::Div(sums.t, sums.det), hn::Div(sums.u, sums.det), hn::Div(sums.v, sums.det),
               inside);
-        for (std::uint32_t rest = untrusted; rest != 0; rest &= rest - 1) [[unlikely]] {
-                const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-                in_double(lane / 4, lane % 4);
-            }
+        quads::each(untrusted, in_double);
     }
     return true;
 }
@@ -277,30 +295,23 @@ template <Misses M, class HitOf, class InDouble, Counter C>
                                         float padding, C& count) {
     using namespace simd;
     using quads::tag, quads::V;
-    const std::uint32_t counted = (1u << 4 * size) - 1;
-    const auto count_lanes = [&](Event event, auto mask) {
-        if constexpr (C::counts)
-            count(event, static_cast<std::uint64_t>(std::popcount(bits(tag, mask) & counted)));
-    };
+    const quads::Counted counted(size);
     const auto live = spheres.live();
-    count_lanes(Event::object_test, live);
+    counted.count(Event::object_test, live, count);
     const WideRoots<V> roots(spheres.centre, spheres.radius, rays.origin, rays.direction);
     const auto trusted = roots.trusted(rays.direction_size);
     const auto inside = hn::And(trusted, roots.met());
-    const std::uint32_t untrusted = bits(tag, hn::AndNot(trusted, live)) & counted;
+    const std::uint32_t untrusted = counted.lanes(hn::AndNot(trusted, live));
     if (M == Misses::leave && hn::AllFalse(tag, inside) && untrusted == 0) return false;
     const auto [t, met] = clamped<V>({roots.roots(), inside}, spheres.centre, spheres.radius,
                                      rays.origin, rays.inverse(), padding);
-    count_lanes(Event::object_hit, met);
+    counted.count(Event::object_hit, met, count);
     // The second root only where it comes before the first, or where the first does not count.
     const auto first_counts = hn::And(hn::Gt(t[0], rays.t_min), hn::Le(t[0], t[1]));
     const auto second = hn::AndNot(first_counts, hn::Gt(t[1], rays.t_min));
     accept_nearest(hit_of, spheres.numbers, rays.t_min, {hn::IfThenElse(second, t[1], t[0]), met},
                    hn::Zero(tag), hn::Zero(tag));
-    for (std::uint32_t rest = untrusted; rest != 0; rest &= rest - 1) [[unlikely]] {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-            in_double(lane / 4, lane % 4);
-        }
+    quads::each(untrusted, in_double);
     return true;
 }
 

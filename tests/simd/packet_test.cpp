@@ -1,4 +1,4 @@
-#include "accel/bvh8/packet.h"
+#include "accel/simd/packet.h"
 #include "accel/simd/leaf_packer.h"
 #include "accel/simd/quantised_boxes.h"
 #include "tests/simd/hard_leaves.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "accel/bvh8/packet.h"
 #include "accel/simd/packed_leaves.h"
+#include "accel/simd/packet.h"
 
 /// Some rays of a packet at a leaf.
 namespace rayshoot::inline RAYSHOOT_ISA {

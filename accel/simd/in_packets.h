@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/bvh8/packet.h"
+#include "accel/simd/packet.h"
 
 /// How a batch falls into packets.
 namespace rayshoot::inline RAYSHOOT_ISA {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "accel/bvh8/beam.h"
+#include "accel/simd/beam.h"
 #include "accel/simd/rays_by_blocks.h"
 #include "accel/simd/transpose.h"
 
@@ -66,7 +66,7 @@ public:
 
 private:
     using Rows = std::array<float, most>;
-    struct alignas(64) Places {
+    struct alignas(64) VectorRows {
         std::array<Rows, 3> rows;
         simd::Vectors<V> from(std::size_t first) const {
             return {row(rows[0], first), row(rows[1], first), row(rows[2], first)};
@@ -79,7 +79,7 @@ private:
     };
 
     /// The least and the largest coordinates.
-    static std::pair<vec3, vec3> ends(const Places& places, Section section);
+    static std::pair<vec3, vec3> ends(const VectorRows& vectors, Section section);
     static V row(const Rows& rows, std::size_t first) {
         return simd::hn::Load(simd::floats<lanes>, &rows[first]);
     }
@@ -89,12 +89,16 @@ private:
     /// Takes them out of the set.
     static Some take_some(RaySet& rays);
     QuadsOfRays quads_of(const Some& some) const;
+    /// Calls test(rays, size, hit_of, ray_of) for as many at once as can be; it returns false if
+    /// surely no hit has changed.
+    template <Query Q, class Test>
+    void test_some(RaySet rays, Test&& test);
     /// After its hit may have changed. For Query::occluded one hit is enough: such rays meet
     /// nothing from now on.
     template <Query Q>
     void update(std::size_t ray);
 
-    Places origin_, inverse_;
+    VectorRows origin_, inverse_;
     alignas(64) Rows t_min_, t_;  ///< t_: of the nearest hits
     std::array<Hit, most> hits_;
     std::span<const Ray> rays_;
@@ -143,12 +147,12 @@ inline bool Packet::load(std::span<const Ray> rays, Precision precision, float m
     return true;
 }
 
-inline std::pair<vec3, vec3> Packet::ends(const Places& places, Section section) {
+inline std::pair<vec3, vec3> Packet::ends(const VectorRows& vectors, Section section) {
     using namespace simd;
     constexpr auto tag = floats<lanes>;
-    auto lo = places.from(section.first), hi = lo;
+    auto lo = vectors.from(section.first), hi = lo;
     for (std::size_t i = section.first + lanes; i < section.end; i += lanes) {
-        const auto next = places.from(i);
+        const auto next = vectors.from(i);
         lo = {hn::Min(lo.x, next.x), hn::Min(lo.y, next.y), hn::Min(lo.z, next.z)};
         hi = {hn::Max(hi.x, next.x), hn::Max(hi.y, next.y), hn::Max(hi.z, next.z)};
     }
@@ -247,24 +251,28 @@ inline QuadsOfRays Packet::quads_of(const Some& some) const {
     return QuadsOfRays(rays);
 }
 
+template <Query Q, class Test>
+[[gnu::always_inline]] inline void Packet::test_some(RaySet rays, Test&& test) {
+    while (rays != 0) {
+        const Some some = take_some(rays);
+        const auto hit_of = [&](std::size_t i) -> Hit& { return hits_[some.numbers[i]]; };
+        const auto ray_of = [&](std::size_t i) -> const Ray& { return rays_[some.numbers[i]]; };
+        if (!test(quads_of(some), some.size, hit_of, ray_of)) continue;
+        for (const std::size_t ray : some.numbers) update<Q>(ray);
+    }
+}
+
 template <Query Q, Precision P, Counter C>
 [[gnu::always_inline]] inline void Packet::test(RaySet rays, const TriangleBlock& block,
                                                 float padding, C& count) {
     const QuadsOfTriangles triangles(block);
-    while (rays != 0) {
-        const Some some = take_some(rays);
-        const auto number_of = [&](std::size_t i) { return some.numbers[i]; };
-        const bool met = rayshoot::test<P, Misses::leave>(
-            triangles, quads_of(some), some.size,
-            [&](std::size_t i) -> Hit& { return hits_[number_of(i)]; },
-            [&](std::size_t i, std::size_t lane) {
-                test_in_double(block, lane, TestRay(rays_[number_of(i)], P), padding,
-                               hits_[number_of(i)], count);
-            },
-            padding, count);
-        if (met)
-            for (const std::size_t ray : some.numbers) update<Q>(ray);
-    }
+    test_some<Q>(rays, [&](const QuadsOfRays& some, std::size_t size, auto hit_of, auto ray_of) {
+        const auto in_double = [&](std::size_t i, std::size_t lane) {
+            test_in_double(block, lane, TestRay(ray_of(i), P), padding, hit_of(i), count);
+        };
+        return rayshoot::test<P, Misses::leave>(triangles, some, size, hit_of, in_double, padding,
+                                                count);
+    });
 }
 
 template <Query Q, Counter C>
@@ -272,21 +280,15 @@ inline void Packet::test(RaySet rays, const SphereBlock& block, float padding, C
     for (std::size_t first = 0; first < block.width; first += 4) {
         if (block.primitive[first] == no_primitive) break;
         const QuadsOfSpheres spheres(block, first);
-        for (RaySet left = rays; left != 0;) {
-            const Some some = take_some(left);
-            const auto number_of = [&](std::size_t i) { return some.numbers[i]; };
-            const bool met = rayshoot::test<Misses::leave>(
-                spheres, quads_of(some), some.size,
-                [&](std::size_t i) -> Hit& { return hits_[number_of(i)]; },
-                [&](std::size_t i, std::size_t lane) {
-                    test_untrusted(block, 1u << (first + lane),
-                                   TestRay(rays_[number_of(i)], precision_), padding,
-                                   hits_[number_of(i)], count);
-                },
-                padding, count);
-            if (met)
-                for (const std::size_t ray : some.numbers) update<Q>(ray);
-        }
+        test_some<Q>(
+            rays, [&](const QuadsOfRays& some, std::size_t size, auto hit_of, auto ray_of) {
+                const auto in_double = [&](std::size_t i, std::size_t lane) {
+                    test_untrusted(block, 1u << (first + lane), TestRay(ray_of(i), precision_),
+                                   padding, hit_of(i), count);
+                };
+                return rayshoot::test<Misses::leave>(spheres, some, size, hit_of, in_double,
+                                                     padding, count);
+            });
     }
 }
 
