@@ -266,13 +266,15 @@ template <Query Q, Precision P, Counter C>
 [[gnu::always_inline]] inline void Packet::test(RaySet rays, const TriangleBlock& block,
                                                 float padding, C& count) {
     const QuadsOfTriangles triangles(block);
-    test_some<Q>(rays, [&](const QuadsOfRays& some, std::size_t size, auto hit_of, auto ray_of) {
+    const auto test = [&](const QuadsOfRays& some, std::size_t size, auto hit_of, auto ray_of)
+        __attribute__((always_inline)) {
         const auto in_double = [&](std::size_t i, std::size_t lane) {
             test_in_double(block, lane, TestRay(ray_of(i), P), padding, hit_of(i), count);
         };
         return rayshoot::test<P, Misses::leave>(triangles, some, size, hit_of, in_double, padding,
                                                 count);
-    });
+    };
+    test_some<Q>(rays, test);
 }
 
 template <Query Q, Counter C>
@@ -280,15 +282,16 @@ inline void Packet::test(RaySet rays, const SphereBlock& block, float padding, C
     for (std::size_t first = 0; first < block.width; first += 4) {
         if (block.primitive[first] == no_primitive) break;
         const QuadsOfSpheres spheres(block, first);
-        test_some<Q>(
-            rays, [&](const QuadsOfRays& some, std::size_t size, auto hit_of, auto ray_of) {
-                const auto in_double = [&](std::size_t i, std::size_t lane) {
-                    test_untrusted(block, 1u << (first + lane), TestRay(ray_of(i), precision_),
-                                   padding, hit_of(i), count);
-                };
-                return rayshoot::test<Misses::leave>(spheres, some, size, hit_of, in_double,
-                                                     padding, count);
-            });
+        const auto test = [&](const QuadsOfRays& some, std::size_t size, auto hit_of, auto ray_of)
+            __attribute__((always_inline)) {
+            const auto in_double = [&](std::size_t i, std::size_t lane) {
+                test_untrusted(block, 1u << (first + lane), TestRay(ray_of(i), precision_), padding,
+                               hit_of(i), count);
+            };
+            return rayshoot::test<Misses::leave>(spheres, some, size, hit_of, in_double, padding,
+                                                 count);
+        };
+        test_some<Q>(rays, test);
     }
 }
 
