@@ -38,11 +38,10 @@ template <class Node>
 constexpr std::array<Build<Node>, 2> all_wide_builds{by_binned_sah<Node>, by_hlbvh<Node>};
 using WideTree8 = WideTree<WideNode8>;
 
-/// Every leaf as the numbers of its primitives, if these are triangles.
+/// The numbers in the blocks of every leaf that is triangles alone, in one fixed order.
 template <class Node>
-std::vector<int> times_met(const WideTree<Node>& tree, std::size_t primitives) {
-    std::vector<int> met(primitives);
-    std::vector<std::uint32_t> pending{0};
+std::vector<std::uint32_t> triangles_of(const WideTree<Node>& tree) {
+    std::vector<std::uint32_t> numbers, pending{0};
     while (!pending.empty()) {
         const Node& node = tree.nodes[pending.back()];
         pending.pop_back();
@@ -52,13 +51,23 @@ std::vector<int> times_met(const WideTree<Node>& tree, std::size_t primitives) {
                 pending.push_back(child.number());
                 continue;
             }
-            for (std::uint32_t b = 0; b < child.leaf().block_count(); ++b)
-                for (const std::uint32_t number :
-                     tree.leaves.template block<TriangleBlock>(child.leaf().first_block() + b)
-                         .primitive)
-                    if (number != no_primitive) ++met[number];
+            if (!child.leaf().only_triangles()) continue;
+            for (std::uint32_t b = 0; b < child.leaf().block_count(); ++b) {
+                const std::uint32_t block = child.leaf().first_block() + b;
+                const auto& four = tree.leaves.template block<TriangleBlock>(block).primitive;
+                numbers.insert(numbers.end(), four.begin(), four.end());
+            }
         }
     }
+    return numbers;
+}
+
+/// How often each triangle is in a leaf.
+template <class Node>
+std::vector<int> times_met(const WideTree<Node>& tree, std::size_t primitives) {
+    std::vector<int> met(primitives);
+    for (const std::uint32_t number : triangles_of(tree))
+        if (number != no_primitive) ++met[number];
     return met;
 }
 
@@ -80,6 +89,7 @@ void expect_same(const WideTree8& a, const WideTree8& b) {
                                return n.bounds.planes == m.bounds.planes &&
                                       n.children == m.children;
                            }));
+    EXPECT_EQ(triangles_of(a), triangles_of(b));
     EXPECT_EQ(a.leaves.bytes(), b.leaves.bytes());
     EXPECT_EQ(a.leaf_count, b.leaf_count);
     EXPECT_EQ(a.depth, b.depth);
