@@ -41,6 +41,7 @@ public:
         OptionInfo{"packets", "on|off", "on",
                    "coherent rays together, slice by slice; for leaves=packed and not skip=macro"},
         OptionInfo{"bound", "1 to 100000", "64", "most references per primitive, by boxes"}};
+    // Bounded, so that scenes with everything in every cell do not take minutes.
     static constexpr std::array<std::string_view, 17> configurations{
         "grid",
         "grid:packets=off",
@@ -53,7 +54,7 @@ public:
         "grid:density=0.1,overlap=bounds,skip=none",
         "grid:resolution=1x1x1",
         "grid:density=64,overlap=bounds,bound=2",
-        "grid:density=3,overlap=havran,leaves=single,skip=none,nested=recursive,bound=1000",
+        "grid:density=3,overlap=havran,leaves=single,skip=none,nested=recursive,bound=16",
         "grid:density=2,overlap=exact,nested=recursive,leaf=2,skip=macro",
         "grid:density=2,overlap=bounds,nested=recursive,leaf=2,depth=2",
         "grid:density=2.4,nested=two_level",

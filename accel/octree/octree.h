@@ -46,6 +46,7 @@ public:
         OptionInfo{"bound", "1 to 100000", "16", "most references for each primitive"},
         OptionInfo{"packets", "on|off", "on", "wide: coherent rays go together, up to 64"},
         OptionInfo{"flight", "1 to 64", "16", "wide: incoherent rays on their way at once"}};
+    // Bounded, so that scenes with everything in every cell do not take minutes.
     static constexpr std::array<std::string_view, 14> configurations{
         "octree",
         "octree:packets=off,flight=1",
@@ -57,15 +58,15 @@ public:
         "octree:traversal=glassner84,storage=linear,leaf=8,depth=9",
         "octree:traversal=samet89,planes=sah,overlap=exact",
         "octree:traversal=glassner84,overlap=havran,leaves=single,leaf=1,depth=4,stop=count,"
-        "bound=100000",
+        "bound=8",
         "octree:traversal=samet89,overlap=havran,leaves=single,leaf=1,depth=4,stop=count,"
-        "bound=100000",
+        "bound=8",
         "octree:traversal=recursive93,overlap=havran,leaves=single,leaf=1,depth=4,stop=count,"
-        "bound=100000",
+        "bound=8",
         "octree:traversal=glassner84,planes=sah,overlap=havran,leaves=single,leaf=1,depth=4,"
-        "stop=count,bound=100000",
+        "stop=count,bound=8",
         "octree:traversal=recursive93,planes=sah,overlap=havran,leaves=single,leaf=1,depth=4,"
-        "stop=count,bound=100000"};
+        "stop=count,bound=8"};
     using Wide = WideBvh<WideNode8>;
 
     struct Scratch {
