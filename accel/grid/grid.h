@@ -55,7 +55,7 @@ public:
         "grid:resolution=1x1x1",
         "grid:density=64,overlap=bounds,bound=2",
         "grid:density=3,overlap=havran,leaves=single,skip=none,nested=recursive,bound=16",
-        "grid:density=2,overlap=exact,nested=recursive,leaf=2,skip=macro",
+        "grid:density=2,overlap=exact,nested=recursive,leaf=2,skip=macro,bound=8",
         "grid:density=2,overlap=bounds,nested=recursive,leaf=2,depth=2",
         "grid:density=2.4,nested=two_level",
         "grid:density=2.4,overlap=bounds,nested=two_level,top=1,leaf=1,skip=none",
