@@ -86,7 +86,7 @@ Bsp::Bsp(const BuildInput& input, const Options& chosen)
     const BspSketch sketch = sketched(input.geometry, membership_, chosen);
     tree_ = laid_out(input.geometry, sketch);
     if (membership_.overlap() == Overlap::exact) {
-        outlines_ = Outlines(input.geometry, sketch, tree_);
+        outlines_ = outlined(input.geometry, sketch, tree_);
         *tree_.footprint.bytes += outlines_.bytes();
     }
     if (traversal_ == Traversal::ropes) {

@@ -49,9 +49,14 @@ public:
 
     template <Query Q, Counter C>
     void many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch, C& count) const;
-    /// The same for one ray, with every box grown by `extra` >= 0.
+    /// The same for some of a batch.
     template <Query Q, Counter C>
-    void trace_grown(const Ray& from, float extra, Hit& hit, C& count) const;
+    void many(const BatchPart& some, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    TestRay prepared(const Ray& ray) const { return leaves_.prepared(ray); }
+    /// Tests one ray against all leaves of a node, whether it meets their boxes or not. True: the
+    /// question is answered.
+    template <Query Q, Counter C>
+    bool test_leaves(std::uint32_t node, const TestRay& ray, Hit& hit, C& count) const;
     Footprint footprint() const { return footprint_; }
 
 private:
@@ -105,14 +110,39 @@ template <class Node>
 template <Query Q, Counter C>
 inline void WideBvh<Node>::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch,
                                 C& count) const {
+    many<Q>(BatchPart{batch.rays}, answers, scratch, count);
+}
+
+template <class Node>
+template <Query Q, Counter C>
+inline void WideBvh<Node>::many(const BatchPart& some, Answers<Q>& answers, Scratch& scratch,
+                                C& count) const {
     const auto each = [&](const Part& part) { trace_each<Q>(part, answers, scratch, count); };
-    if (!packets_) return each({batch.rays});
+    if (!packets_) return each(some);
+    const auto of_batch = [&](const Part& part) {
+        return Part{part.rays, some.first + part.first};
+    };
     in_packets(
-        batch.rays,
+        some.rays,
         [&](std::span<const Ray> rays) {
             return scratch.packet.load(rays, leaves_.precision(), most_apart_);
         },
-        [&](const Part& part) { trace_together<Q>(part, answers, scratch, count); }, each);
+        [&](const Part& part) { trace_together<Q>(of_batch(part), answers, scratch, count); },
+        [&](const Part& part) { each(of_batch(part)); });
+}
+
+template <class Node>
+template <Query Q, Counter C>
+inline bool WideBvh<Node>::test_leaves(std::uint32_t node, const TestRay& ray, Hit& hit,
+                                       C& count) const {
+    for (std::size_t i = 0; i < nodes_[node].live(); ++i) {
+        const WideChild child = WideChild::from(nodes_[node].children[i]);
+        if (child.interior()) continue;
+        count(Event::cell);
+        leaves_.template test<Q>(child.leaf(), ray, hit, count);
+        if (Q == Query::occluded && hit.primitive != no_primitive) return true;
+    }
+    return false;
 }
 
 template <class Node>
@@ -196,6 +226,5 @@ struct Bvh8 : WideBvh<WideNode8> {
 }  // namespace rayshoot::inline RAYSHOOT_ISA
 
 #include "accel/bvh8/alone.h"
-#include "accel/bvh8/grown.h"
 #include "accel/bvh8/in_flight.h"
 #include "accel/bvh8/together.h"

@@ -56,7 +56,7 @@ struct Grid::Abreast {
     Flock& flock() const { return scratch.flock; }
     const SubGrid& outermost() const { return grid.grids_.front(); }
     Search<C> search(std::size_t lane) const {
-        return grid.search_for(flock().ray(lane), 0, flock().hit(lane), scratch, count);
+        return grid.search_for(flock().ray(lane), flock().hit(lane), scratch, count);
     }
 };
 
@@ -76,10 +76,10 @@ inline bool Grid::Abreast<Q, C>::start(std::size_t number, std::size_t lane) {
     const Ray& incoming = part.rays[number];
     const TestRay ray = grid.leaves_.prepared(incoming);
     Hit hit = nothing_yet(incoming);
-    const Search<C> search =
-        grid.search_for(ray, grid.membership_.extra(incoming), hit, scratch, count);
+    const Search<C> search = grid.search_for(ray, hit, scratch, count);
     const Lattice& lattice = outermost().lattice;
-    const bool alone = search.extra > 0 || !grid.nearby_.contains(incoming.origin) ||
+    const bool alone = !grid.membership_.made_for(incoming) ||
+                       !grid.nearby_.contains(incoming.origin) ||
                        (search.along_planes && grid.runs_in_a_plane(lattice, ray));
     if (alone) [[unlikely]] {
         grid.trace_alone<Q>(incoming, hit, scratch, count);

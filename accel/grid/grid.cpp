@@ -63,6 +63,21 @@ float lowered_planes(const Geometry& geometry, const Box& space) {
     return space.grown(-2 * lowered).contains(geometry.bounds()) ? lowered : 0;
 }
 
+OutlinedRuns outlined(const Geometry& geometry, const GridTree& tree) {
+    const auto references = [&](std::size_t cell) {
+        const CellWord word = tree.cells[cell];
+        return word.is_leaf() ? tree.leaves[word.leaf()].count : 0;
+    };
+    const auto bounds = [&](std::size_t cell) {
+        Box box;
+        const LeafRange leaf = tree.leaves[tree.cells[cell].leaf()];
+        for (std::uint32_t i = 0; i < leaf.count; ++i)
+            box.include(geometry.bounds(tree.members[leaf.first + i]));
+        return box;
+    };
+    return {tree.cells.size(), references, bounds};
+}
+
 }  // namespace
 
 Grid::Grid(const BuildInput& input, const Options& chosen)
@@ -86,6 +101,7 @@ Grid::Grid(const BuildInput& input, const Options& chosen)
         most_apart_ = std::max({size.x, size.y, size.z}) / 8;
     }
     const std::uint64_t leaves = tree.leaves.size(), references = tree.members.size();
+    if (membership_.overlap() == Overlap::exact) outlines_ = outlined(input.geometry, tree);
     leaves_ = CellLeaves(input.geometry, kind, chosen.flag("mailbox"), tree);
     grids_ = std::move(tree.grids);
     cells_ = std::move(tree.cells);
@@ -96,7 +112,7 @@ Grid::Grid(const BuildInput& input, const Options& chosen)
                   .references = references,
                   .depth = static_cast<std::uint64_t>(tree.depth),
                   .bytes = grids_.size() * sizeof(SubGrid) + cells_.size() * sizeof(CellWord) +
-                           leaves_.bytes(),
+                           leaves_.bytes() + outlines_.bytes(),
                   .remark = tree.remark};
 }
 

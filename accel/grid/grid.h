@@ -8,6 +8,7 @@
 #include "accel/grid/walk.h"
 #include "accel/simd/in_packets.h"
 #include "accel/simd/packet_leaf.h"
+#include "accel/space/outlines.h"
 
 /// Regular grid: space in equal boxes, each with the objects in it, and grids in its cells where
 /// they are crowded. See README.md.
@@ -40,6 +41,7 @@ public:
         OptionInfo{"packets", "on|off", "on",
                    "coherent rays together, slice by slice; for leaves=packed and not skip=macro"},
         OptionInfo{"bound", "1 to 100000", "64", "most references per primitive, by boxes"}};
+    // Bounded, so that scenes with everything in every cell do not take minutes.
     static constexpr std::array<std::string_view, 17> configurations{
         "grid",
         "grid:packets=off",
@@ -52,8 +54,8 @@ public:
         "grid:density=0.1,overlap=bounds,skip=none",
         "grid:resolution=1x1x1",
         "grid:density=64,overlap=bounds,bound=2",
-        "grid:density=3,overlap=havran,leaves=single,skip=none,nested=recursive,bound=1000",
-        "grid:density=2,overlap=exact,nested=recursive,leaf=2,skip=macro",
+        "grid:density=3,overlap=havran,leaves=single,skip=none,nested=recursive,bound=16",
+        "grid:density=2,overlap=exact,nested=recursive,leaf=2,skip=macro,bound=8",
         "grid:density=2,overlap=bounds,nested=recursive,leaf=2,depth=2",
         "grid:density=2.4,nested=two_level",
         "grid:density=2.4,overlap=bounds,nested=two_level,top=1,leaf=1,skip=none",
@@ -78,7 +80,6 @@ private:
     template <Counter C>
     struct Search {
         const TestRay& ray;
-        float extra;  ///< by which cells are grown for it
         bool along_planes;
         Hit& hit;
         Scratch& scratch;
@@ -90,10 +91,11 @@ private:
         return Q == Query::occluded && hit.primitive != no_primitive;
     }
     template <Counter C>
-    Search<C> search_for(const TestRay& ray, float extra, Hit& hit, Scratch& scratch,
-                         C& count) const;
+    Search<C> search_for(const TestRay& ray, Hit& hit, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
     void trace_alone(const Ray& ray, Hit& hit, Scratch& scratch, C& count) const;
+    template <Query Q, Counter C>
+    [[gnu::noinline]] void trace_from_afar(Search<C>& search) const;
     template <Query Q, Counter C>
     void trace_each(const BatchPart& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
@@ -123,6 +125,7 @@ private:
     Membership membership_;
     std::vector<SubGrid> grids_;
     PagedVector<CellWord> cells_;
+    OutlinedRuns outlines_;  ///< of cells, for the rays that these are not made for
     CellLeaves leaves_;
     Skip skip_ = Skip::none;
     bool abreast_ = false, packets_ = false;
@@ -162,29 +165,42 @@ inline void Grid::trace_each(const BatchPart& part, Answers<Q>& answers, Scratch
 }
 
 template <Counter C>
-inline auto Grid::search_for(const TestRay& ray, float extra, Hit& hit, Scratch& scratch,
-                             C& count) const -> Search<C> {
+inline auto Grid::search_for(const TestRay& ray, Hit& hit, Scratch& scratch, C& count) const
+    -> Search<C> {
     const auto unbounded = [&](int axis) { return !(std::abs(ray.inverse[axis]) < infinity); };
-    return {ray, extra, unbounded(0) || unbounded(1) || unbounded(2), hit, scratch, count};
+    return {ray, unbounded(0) || unbounded(1) || unbounded(2), hit, scratch, count};
 }
 
 template <Query Q, Counter C>
 inline void Grid::trace_alone(const Ray& incoming, Hit& hit, Scratch& scratch, C& count) const {
     if (grids_.empty()) return;
     const TestRay ray = leaves_.prepared(incoming);
-    Search<C> search = search_for(ray, membership_.extra(incoming), hit, scratch, count);
+    Search<C> search = search_for(ray, hit, scratch, count);
     if (leaves_.uses_mailbox()) scratch.mailbox.forget();
-    if (search.extra > 0) [[unlikely]]
-        return walk_layers<Q>(grids_.front(), search);
+    if (!membership_.made_for(incoming)) [[unlikely]]
+        return trace_from_afar<Q>(search);
     const Interval inside = clip(ray, space_, {incoming.t_min, hit.t});
     if (!inside.empty()) enter<Q>(grids_.front(), inside.entry, search);
+}
+
+/// By all cells, in whatever grid, of the runs whose outlines the ray meets.
+template <Query Q, Counter C>
+void Grid::trace_from_afar(Search<C>& search) const {
+    const auto visit = [&](std::uint32_t cell) {
+        const CellWord word = cells_[cell];
+        if (!word.is_leaf()) return false;
+        search.count(Event::cell);
+        leaves_.template test<Q>(word, search.ray, search.hit, search.scratch.mailbox,
+                                 search.count);
+        return over<Q>(search.hit);
+    };
+    outlines_.each(search.ray, search.ray.t_min, search.hit, visit, search.count);
 }
 
 /// At t the ray comes into a grid.
 template <Query Q, Counter C>
 inline void Grid::enter(const SubGrid& grid, float t, Search<C>& search) const {
-    if (search.extra > 0 || (search.along_planes && runs_in_a_plane(grid.lattice, search.ray)))
-        [[unlikely]]
+    if (search.along_planes && runs_in_a_plane(grid.lattice, search.ray)) [[unlikely]]
         return walk_layers<Q>(grid, search);
     walk<Q>(grid, t, search);
 }
@@ -212,7 +228,7 @@ inline void Grid::walk(const SubGrid& grid, float t, Search<C>& search) const {
 
 template <Query Q, Counter C>
 void Grid::walk_layers(const SubGrid& grid, Search<C>& search) const {
-    Layers(grid.lattice, search.ray, search.extra)
+    Layers(grid.lattice, search.ray)
         .walk(
             search.ray.t_min, [&](const Cell& cell, float t) { visit<Q>(grid, cell, t, search); },
             [&] { return over<Q>(search.hit) ? -infinity : search.hit.t; });

@@ -3,14 +3,12 @@
 #include "accel/grid/lattice.h"
 
 /// The slow and careful walk: every cell that a ray touches, even if it runs inside a plane, so
-/// that it touches two cells all the way, or if cells have to be grown for it.
+/// that it touches two cells all the way.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 class Layers {
 public:
-    /// `extra`: by how much each cell is grown.
-    Layers(const Lattice& lattice, const SlabRay& ray, float extra)
-        : lattice_(lattice), ray_(ray), extra_(extra) {}
+    Layers(const Lattice& lattice, const SlabRay& ray) : lattice_(lattice), ray_(ray) {}
 
     /// Calls visit(cell, t) for the cells that the ray touches from t_min on, t being where it
     /// comes to them, in the order of t; until `reach()`, asked again and again, is less than t.
@@ -22,21 +20,13 @@ private:
     bool descending(int axis) const { return ray_.descending[at(axis)]; }
     int forward(int axis) const { return descending(axis) ? -1 : 1; }
     int end(int axis) const { return descending(axis) ? -1 : lattice_.cells()[at(axis)]; }
-    float lower(int axis, int i) const {
-        const float plane = lattice_.plane(axis, i);
-        return ray_.at(axis, extra_ > 0 ? float_below(plane - extra_) : plane);
-    }
-    float upper(int axis, int i) const {
-        const float plane = lattice_.plane(axis, i);
-        return ray_.at(axis, extra_ > 0 ? float_above(plane + extra_) : plane);
-    }
     float enter(int axis, int i) const {
-        return descending(axis) ? upper(axis, i + 1) : lower(axis, i);
+        return ray_.at(axis, lattice_.plane(axis, i + descending(axis)));
     }
     float leave(int axis, int i) const {
-        return descending(axis) ? lower(axis, i) : upper(axis, i + 1);
+        return ray_.at(axis, lattice_.plane(axis, i + 1 - descending(axis)));
     }
-    /// Of the lattice, grown.
+    /// Of the lattice.
     Interval interval(float t_min) const;
     /// Forgets what lies behind t.
     void drop_before(float t);
@@ -47,7 +37,6 @@ private:
 
     const Lattice& lattice_;
     const SlabRay& ray_;
-    float extra_;
     Cell first_{}, last_{};  ///< in the ray's order
 };
 

@@ -78,7 +78,7 @@ template <Query Q, Counter C>
 void Grid::visit_grid(CellWord word, const Box& box, RaySet rays, Scratch& scratch,
                       C& count) const {
     scratch.packet.test_each<Q>(rays, [&](const TestRay& ray, Hit& hit) {
-        Search<C> search = search_for(ray, 0, hit, scratch, count);
+        Search<C> search = search_for(ray, hit, scratch, count);
         const Interval inside = clip(ray, box, {ray.t_min, hit.t});
         enter<Q>(grids_[word.grid()], inside.entry, search);
     });

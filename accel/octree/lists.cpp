@@ -17,6 +17,13 @@ std::uint32_t OctreeLists::add(OctreeCell& leaf) {
     return static_cast<std::uint32_t>(leaves.size() - 1);
 }
 
+Box OctreeLists::bounds(const Geometry& geometry, std::size_t leaf) const {
+    Box box;
+    for (std::uint32_t i = 0; i < leaves[leaf].count; ++i)
+        box.include(geometry.bounds(members[leaves[leaf].first + i]));
+    return box;
+}
+
 OctreeLeaves::OctreeLeaves(const Geometry& geometry, OctreeLists&& lists, OctreeLeafTest test)
     : test_(test) {
     if (test == OctreeLeafTest::single) {

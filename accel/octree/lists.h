@@ -17,6 +17,8 @@ struct OctreeLists {
 
     /// Takes the members of a leaf; returns its number.
     std::uint32_t add(OctreeCell& leaf);
+    /// Round the stored bounds of a leaf's members.
+    Box bounds(const Geometry& geometry, std::size_t leaf) const;
 };
 
 enum class OctreeLeafTest : std::uint8_t {

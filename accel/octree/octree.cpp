@@ -1,7 +1,5 @@
 #include "accel/octree/octree.h"
 
-#include "accel/octree/wide.h"
-
 #include <stdexcept>
 
 namespace rayshoot::inline RAYSHOOT_ISA {
@@ -100,10 +98,9 @@ Octree::Octree(const BuildInput& input, const Options& chosen)
       from_origin_(chosen.choice<bool>("from", {{"t_min", false}, {"origin", true}})) {
     refuse(chosen);
     const OctreeSettings settings = chosen_settings(chosen);
-    const Overlap overlap = chosen_overlap(chosen);
-    const Membership membership(input, overlap);
+    const Membership membership(input, chosen_overlap(chosen));
     space_ = membership.space();
-    if (overlap == Overlap::exact) exact_ = membership;
+    if (membership.overlap() == Overlap::exact) exact_ = membership;
     OctreeGrowth growth = grow_octree(input.geometry.size(), membership, settings);
     footprint_ = footprint_of(growth, settings);
     if (traversal_ == OctreeTraversal::wide)
@@ -112,19 +109,24 @@ Octree::Octree(const BuildInput& input, const Options& chosen)
     else keep_cells(input.geometry, growth.root, chosen);
 }
 
-void Octree::keep_wide(const Geometry& geometry, WideTree<WideNode8>&& tree,
-                       const Options& chosen) {
-    wide_.emplace(geometry, std::move(tree), chosen.flag("packets"),
+void Octree::keep_wide(const Geometry& geometry, WideOctree&& octree, const Options& chosen) {
+    wide_.emplace(geometry, std::move(octree.tree), chosen.flag("packets"),
                   chosen.integer("flight", 1, Wide::most_flights));
-    footprint_.bytes = wide_->footprint().bytes;
+    outlines_ = std::move(octree.outlines);
+    footprint_.bytes = *wide_->footprint().bytes + outlines_.bytes();
 }
 
 void Octree::keep_cells(const Geometry& geometry, OctreeCell& root, const Options& chosen) {
     OctreeLists lists;
     if (is_linear(chosen)) list_.emplace(root, lists);
     else nodes_.emplace(root, lists);
+    if (exact_)
+        outlines_ = OutlinedRuns(
+            lists.leaves.size(), [&](std::size_t leaf) { return lists.leaves[leaf].count; },
+            [&](std::size_t leaf) { return lists.bounds(geometry, leaf); });
     leaves_ = OctreeLeaves(geometry, std::move(lists), chosen_test(chosen));
-    footprint_.bytes = (list_ ? list_->bytes() : nodes_->bytes()) + leaves_.bytes();
+    footprint_.bytes =
+        (list_ ? list_->bytes() : nodes_->bytes()) + leaves_.bytes() + outlines_.bytes();
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

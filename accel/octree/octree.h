@@ -1,13 +1,13 @@
 #pragma once
 
 #include "accel/bvh8/bvh8.h"
-#include "accel/octree/far_rays.h"
 #include "accel/octree/glassner84.h"
 #include "accel/octree/linear_octree.h"
 #include "accel/octree/nodes.h"
 #include "accel/octree/parametric.h"
 #include "accel/octree/recursive93.h"
 #include "accel/octree/samet89.h"
+#include "accel/octree/wide.h"
 
 #include <optional>
 
@@ -46,6 +46,7 @@ public:
         OptionInfo{"bound", "1 to 100000", "16", "most references for each primitive"},
         OptionInfo{"packets", "on|off", "on", "wide: coherent rays go together, up to 64"},
         OptionInfo{"flight", "1 to 64", "16", "wide: incoherent rays on their way at once"}};
+    // Bounded, so that scenes with everything in every cell do not take minutes.
     static constexpr std::array<std::string_view, 14> configurations{
         "octree",
         "octree:packets=off,flight=1",
@@ -57,15 +58,15 @@ public:
         "octree:traversal=glassner84,storage=linear,leaf=8,depth=9",
         "octree:traversal=samet89,planes=sah,overlap=exact",
         "octree:traversal=glassner84,overlap=havran,leaves=single,leaf=1,depth=4,stop=count,"
-        "bound=100000",
+        "bound=8",
         "octree:traversal=samet89,overlap=havran,leaves=single,leaf=1,depth=4,stop=count,"
-        "bound=100000",
+        "bound=8",
         "octree:traversal=recursive93,overlap=havran,leaves=single,leaf=1,depth=4,stop=count,"
-        "bound=100000",
+        "bound=8",
         "octree:traversal=glassner84,planes=sah,overlap=havran,leaves=single,leaf=1,depth=4,"
-        "stop=count,bound=100000",
+        "stop=count,bound=8",
         "octree:traversal=recursive93,planes=sah,overlap=havran,leaves=single,leaf=1,depth=4,"
-        "stop=count,bound=100000"};
+        "stop=count,bound=8"};
     using Wide = WideBvh<WideNode8>;
 
     struct Scratch {
@@ -80,17 +81,21 @@ public:
     Footprint footprint() const { return footprint_; }
 
 private:
+    template <Query Q, Counter C>
+    void trace_each(const BatchPart& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C, class Cells>
     void trace(const Cells& cells, const Ray& from, Hit& hit, C& count) const;
-    bool any_far(std::span<const Ray> rays) const;
+    template <Query Q, Counter C>
+    void trace_from_afar(const Ray& from, Hit& hit, C& count) const;
     /// Take the members of the cells over.
-    void keep_wide(const Geometry& geometry, WideTree<WideNode8>&& tree, const Options& chosen);
+    void keep_wide(const Geometry& geometry, WideOctree&& octree, const Options& chosen);
     void keep_cells(const Geometry& geometry, OctreeCell& root, const Options& chosen);
 
     OctreeTraversal traversal_;
     bool from_origin_ = false;  ///< rays enter cells from their origin on, not from t_min
     Box space_;
-    std::optional<Membership> exact_;  ///< where hits of far rays can lie outside their cells
+    std::optional<Membership> exact_;  ///< where cells are not made for every ray
+    OutlinedRuns outlines_;            ///< for those: of nodes if wide, else of leaves
     std::optional<Wide> wide_;
     std::optional<OctreeNodes> nodes_;
     std::optional<LinearOctree> list_;
@@ -101,7 +106,6 @@ private:
 template <Query Q, Counter C, class Cells>
 inline void Octree::trace(const Cells& cells, const Ray& from, Hit& hit, C& count) const {
     const TestRay ray = leaves_.prepared(from);
-    const float extra = exact_ ? exact_->extra(from) : 0;
     const OctreeQuestion<Cells, Q, C> ask{
         cells,
         leaves_,
@@ -109,7 +113,6 @@ inline void Octree::trace(const Cells& cells, const Ray& from, Hit& hit, C& coun
         clip(ray, space_, {from_origin_ ? std::min(0.0f, from.t_min) : from.t_min, infinity}),
         hit,
         count};
-    if (extra > 0) return void(visit_grown(ask, cells.root(), space_, extra));
     if (ask.within.empty() || !ask.reaches(ask.within.entry)) return;
     switch (traversal_) {
         case OctreeTraversal::glassner84:
@@ -124,24 +127,52 @@ inline void Octree::trace(const Cells& cells, const Ray& from, Hit& hit, C& coun
     }
 }
 
+/// Rays that cells are made for, as far as they follow each other; and the others one by one.
 template <Query Q, Counter C>
 inline void Octree::many(const RayBatch& batch, Answers<Q>& answers, Scratch& scratch,
                          C& count) const {
-    if (wide_ && !any_far(batch.rays))
-        return wide_->template many<Q>(batch, answers, scratch.wide, count);
+    if (!exact_) return trace_each<Q>(BatchPart{batch.rays}, answers, scratch, count);
+    std::size_t waiting = 0;
+    const auto go = [&](std::size_t end) {
+        if (waiting < end)
+            trace_each<Q>(BatchPart{batch.rays.subspan(waiting, end - waiting), waiting}, answers,
+                          scratch, count);
+        waiting = end;
+    };
     for (std::size_t i = 0; i < batch.rays.size(); ++i) {
-        const Ray& ray = batch.rays[i];
-        Hit hit = nothing_yet(ray);
-        if (wide_) wide_->trace_grown<Q>(ray, exact_->extra(ray), hit, count);
-        else if (nodes_) trace<Q>(*nodes_, ray, hit, count);
-        else trace<Q>(*list_, ray, hit, count);
+        if (exact_->made_for(batch.rays[i])) [[likely]]
+            continue;
+        go(i);
+        Hit hit = nothing_yet(batch.rays[i]);
+        trace_from_afar<Q>(batch.rays[i], hit, count);
         answers.store(i, hit);
+        waiting = i + 1;
+    }
+    go(batch.rays.size());
+}
+
+template <Query Q, Counter C>
+inline void Octree::trace_each(const BatchPart& part, Answers<Q>& answers, Scratch& scratch,
+                               C& count) const {
+    if (wide_) return wide_->template many<Q>(part, answers, scratch.wide, count);
+    for (std::size_t i = 0; i < part.rays.size(); ++i) {
+        Hit hit = nothing_yet(part.rays[i]);
+        if (nodes_) trace<Q>(*nodes_, part.rays[i], hit, count);
+        else trace<Q>(*list_, part.rays[i], hit, count);
+        answers.store(part.first + i, hit);
     }
 }
 
-inline bool Octree::any_far(std::span<const Ray> rays) const {
-    return exact_ && std::any_of(rays.begin(), rays.end(),
-                                 [&](const Ray& ray) { return exact_->extra(ray) > 0; });
+template <Query Q, Counter C>
+inline void Octree::trace_from_afar(const Ray& from, Hit& hit, C& count) const {
+    const TestRay ray = wide_ ? wide_->prepared(from) : leaves_.prepared(from);
+    const auto visit = [&](std::uint32_t place) {
+        if (wide_) return wide_->template test_leaves<Q>(place, ray, hit, count);
+        count(Event::cell);
+        leaves_.template test<Q>(place, ray, hit, count);
+        return Q == Query::occluded && hit.primitive != no_primitive;
+    };
+    outlines_.each(ray, from.t_min, hit, visit, count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

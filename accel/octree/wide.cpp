@@ -60,59 +60,87 @@ Cells together(OctreeCell& cell) {
 
 class Layout {
 public:
-    explicit Layout(const Geometry& geometry) : packer_(geometry) {}
+    Layout(const Geometry& geometry, const Membership& membership)
+        : geometry_(geometry),
+          outlined_(membership.overlap() == Overlap::exact),
+          packer_(geometry) {}
 
-    WideTree<WideNode8> build(OctreeCell& root) && {
-        nodes_.emplace_back();
+    WideOctree build(OctreeCell& root) && {
+        const std::uint32_t first = next_node();
         if (root.interior()) {
-            add(0, root);
+            add(first, root);
         } else if (!root.members.empty()) {
             Siblings only;
-            only.add(root.box, leaf(root));
-            nodes_[0] = WideNode8(only);
+            only.add(root.box, leaf(first, root));
+            nodes_[first] = WideNode8(only);
         }
         RawArray<WideNode8> nodes(nodes_.size());
         std::uninitialized_copy(nodes_.begin(), nodes_.end(), nodes.data());
-        return {std::move(nodes), std::move(packer_).build(), leaves_, depth_};
+        WideOctree octree{{std::move(nodes), std::move(packer_).build(), leaves_, depth_}, {}};
+        if (outlined_)
+            octree.outlines = OutlinedRuns(
+                held_.size(), [&](std::size_t node) { return held_[node].references; },
+                [&](std::size_t node) { return held_[node].bounds; });
+        return octree;
     }
 
 private:
+    /// By the leaves among a node's children.
+    struct Held {
+        Box bounds;
+        std::uint64_t references = 0;
+    };
+
+    std::uint32_t next_node() {
+        if (nodes_.size() == WideChild::most_nodes)
+            throw std::length_error("more than 2^31 - 1 nodes");
+        nodes_.emplace_back();
+        if (outlined_) held_.emplace_back();
+        return static_cast<std::uint32_t>(nodes_.size() - 1);
+    }
     /// Depth first.
-    void add(std::size_t place, OctreeCell& cell) {
+    void add(std::uint32_t place, OctreeCell& cell) {
         Siblings siblings;
         for (OctreeCell* child : together(cell)) {
             if (!child->interior()) {
-                siblings.add(child->box, leaf(*child));
+                siblings.add(child->box, leaf(place, *child));
                 continue;
             }
-            const auto next = static_cast<std::uint32_t>(nodes_.size());
-            if (next == WideChild::most_nodes) throw std::length_error("more than 2^31 - 1 nodes");
+            const std::uint32_t next = next_node();
             siblings.add(child->box, WideChild::node(next));
-            nodes_.emplace_back();
             add(next, *child);
         }
         nodes_[place] = WideNode8(siblings);
     }
-    WideChild leaf(OctreeCell& cell) {
+    /// Of node `place`.
+    WideChild leaf(std::uint32_t place, OctreeCell& cell) {
         ++leaves_;
         depth_ = std::max(depth_, cell.lattice.level);
+        if (outlined_) {
+            for (const std::uint32_t member : cell.members)
+                held_[place].bounds.include(geometry_.bounds(member));
+            held_[place].references += cell.members.size();
+        }
         const PackedLeaf packed = packer_.add(cell.members);
         cell.members = {};
         return WideChild::leaf(packed);
     }
 
+    const Geometry& geometry_;
+    bool outlined_;
     LeafPacker packer_;
     PagedVector<WideNode8> nodes_;
+    std::vector<Held> held_;  ///< by each node, if outlined
     std::uint32_t leaves_ = 0;
     int depth_ = 0;
 };
 
 }  // namespace
 
-WideTree<WideNode8> wide_octree(const Geometry& geometry, OctreeCell& root,
-                                const Membership& membership, bool loose) {
+WideOctree wide_octree(const Geometry& geometry, OctreeCell& root, const Membership& membership,
+                       bool loose) {
     shrink(root, membership, loose);
-    return Layout(geometry).build(root);
+    return Layout(geometry, membership).build(root);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

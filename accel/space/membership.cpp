@@ -48,17 +48,14 @@ Membership::Membership(const BuildInput& input, Overlap overlap)
         overlap_ = Overlap::bounds;
         return;
     }
-    reach_ = diagonal;
+    float reach = diagonal;
     if (input.view) {
         const vec3 to_eye = input.view->eye - centre_;
-        reach_ = std::max(reach_, std::sqrt(dot(to_eye, to_eye)) + input.view->lens_radius);
+        reach = std::max(reach, std::sqrt(dot(to_eye, to_eye)) + input.view->lens_radius);
     }
-    reach_ *= 1 + 0x1p-20f;
-    radius_ = geometry_->error_radius(reach_ * (1 + 0x1p-20f));
-    per_reach_ = 1 / reach_;
-    // The radius is the largest of several that each grow with the distance, steadily.
-    const float far = 0x1p20f * reach_;
-    radius_per_distance_ = geometry_->error_radius(far) / far * (1 + 0x1p-10f);
+    reach *= 1 + 0x1p-20f;
+    radius_ = geometry_->error_radius(reach * (1 + 0x1p-20f));
+    per_reach_ = 1 / reach;
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

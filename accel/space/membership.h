@@ -26,7 +26,7 @@ public:
     const Box& box(std::uint32_t primitive) const {
         return boxes_.empty() ? geometry_->bounds(primitive) : boxes_[primitive];
     }
-    /// False only when no ray of which extra() is 0 can be reported to hit the primitive in the
+    /// False only when no ray that cells are made_for() can be reported to hit the primitive in the
     /// closed cell.
     bool in_cell(std::uint32_t primitive, const Box& cell) const {
         return box(primitive).overlaps(cell) &&
@@ -39,23 +39,15 @@ public:
         return geometry_->clipped_bounds(primitive, cell.grown(radius_), radius_)
             .intersection(cell);
     }
-    /// How far from its primitive a hit may be reported, by a ray of which extra() is 0; 0 where
-    /// that does not matter.
+    /// How far from its primitive a hit may be reported, by a ray that cells are made_for(); 0
+    /// where that does not matter.
     float radius() const { return radius_; }
     Overlap overlap() const { return overlap_; }
 
-    /// How much farther outside its cells a ray's hits can be reported, because it starts far away:
-    /// the cells that it visits have to be grown by as much. 0 for the rays that structures are
-    /// made for: those that start no farther from the centre of the scene bounds than the scene's
-    /// diagonal, or than the eye. Infinite where a component of the direction is so small that the
-    /// slab form takes it for zero, and so knows no cell but the first.
-    float extra(const Ray& ray) const {
-        if (made_for(ray)) return 0;
-        const float distance = std::sqrt(dot(ray.origin - centre_, ray.origin - centre_));
-        return any_lost(ray.direction) ? infinity
-                                       : std::max(distance - reach_, 0.0f) * radius_per_distance_;
-    }
-    /// Whether that is 0, for those who ask for every ray.
+    /// Whether in_cell() holds for the ray: it does if the ray starts no farther from the centre of
+    /// the scene bounds than the scene's diagonal, or than the eye, and the slab form takes no
+    /// component of its direction for zero that is not. Other rays have to be answered without
+    /// cells (outlines.h).
     bool made_for(const Ray& ray) const {
         const vec3 from_centre = (ray.origin - centre_) * per_reach_;
         // Rounding is covered: the radius is that of a somewhat larger reach.
@@ -76,10 +68,8 @@ private:
     std::vector<Box> boxes_;  ///< empty: the stored bounds
     Box space_;
     vec3 centre_{0};
-    float reach_ = infinity;
     float per_reach_ = 0;  ///< 1 / reach; 0: whatever overlaps is exact for every ray
     float radius_ = 0;
-    float radius_per_distance_ = 0;
 };
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
