@@ -16,10 +16,14 @@ public:
     Outlines() = default;
     Outlines(const Geometry& geometry, const BspSketch& sketch, const BspTree& tree);
 
-    /// visit(node) for the roots of sub-trees whose boxes the ray meets before `hit`, until it says
-    /// so.
+    /// visit(node) for the roots of sub-trees whose boxes the ray meets before `hit`, until it is
+    /// true.
     template <class Visit, Counter C>
     void each(const SlabRay& ray, float t_min, const Hit& hit, const Visit& visit, C& count) const;
+    /// visit(leaf) for all leaves of these sub-trees.
+    template <class Visit, Counter C>
+    void each_leaf(const BspTree& tree, const SlabRay& ray, float t_min, const Hit& hit,
+                   const Visit& visit, C& count) const;
     std::size_t bytes() const { return pairs_.size() * sizeof(Pair); }
 
 private:
@@ -51,6 +55,28 @@ inline void Outlines::each(const SlabRay& ray, float t_min, const Hit& hit, cons
         }
         for (const Child& next : pairs_[child.place & ~pair_bit]) later[size++] = &next;
     }
+}
+
+template <class Visit, Counter C>
+inline void Outlines::each_leaf(const BspTree& tree, const SlabRay& ray, float t_min,
+                                const Hit& hit, const Visit& visit, C& count) const {
+    const auto visit_all = [&](std::uint32_t root) {
+        std::array<std::uint32_t, deepest_bsp + 2> later;
+        std::size_t size = 0;
+        later[size++] = root;
+        while (size > 0) {
+            const BspNode node = tree.nodes[later[--size]];
+            if (node.is_leaf()) {
+                if (visit(node)) return true;
+                continue;
+            }
+            count(Event::step);
+            later[size++] = node.children() + 1;
+            later[size++] = node.children();
+        }
+        return false;
+    };
+    each(ray, t_min, hit, visit_all, count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
