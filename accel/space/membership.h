@@ -43,6 +43,8 @@ public:
     /// that does not matter.
     float radius() const { return radius_; }
     Overlap overlap() const { return overlap_; }
+    /// How far from the centre of the scene bounds a ray may start to have an extra() of 0.
+    float reach() const { return reach_; }
 
     /// How much farther outside its cells a ray's hits can be reported, because it starts far away:
     /// the cells that it visits have to be grown by as much. 0 for the rays that structures are
