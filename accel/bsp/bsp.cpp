@@ -9,9 +9,6 @@
 namespace rayshoot::inline RAYSHOOT_ISA {
 namespace {
 
-/// References are never more than this multiple of the primitives, and a few.
-constexpr std::uint64_t references_per_primitive = 10, a_few_references = 64;
-
 enum class Build { events, binned, midpoint };
 
 template <class Number>
@@ -20,13 +17,8 @@ Number chosen_or(const Options& chosen, std::string_view key, int most, Number f
     return given == 0 ? fallback : static_cast<Number>(given);
 }
 
-/// 8 + 1.3 log2 N levels.
-int auto_depth(std::uint32_t primitives) {
-    return std::min(deepest_bsp, 8 + 13 * static_cast<int>(std::bit_width(primitives)) / 10);
-}
-
 BspSketch sketched(const Geometry& geometry, const Membership& membership, const Options& chosen) {
-    const std::uint64_t most = references_per_primitive * geometry.size() + a_few_references;
+    const std::uint64_t most = most_references(geometry.size());
     const auto build = chosen.choice<Build>(
         "build",
         {{"sah", Build::events}, {"binned", Build::binned}, {"midpoint", Build::midpoint}});

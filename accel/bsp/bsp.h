@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/bsp/descend.h"
 #include "accel/bsp/fleet.h"
 #include "accel/bsp/layout.h"
 #include "accel/bsp/outlines.h"
@@ -166,9 +167,7 @@ inline void Bsp::trace_each(const BatchPart& part, Answers<Q>& answers, Scratch&
 
 template <Query Q, Counter C>
 inline void Bsp::visit_leaf(BspFlight& flight, BspNode leaf, C& count) const {
-    count(Event::cell);
-    if constexpr (C::counts) count(Event::empty_cell, leaf.is_empty());
-    if (!leaf.is_empty()) tree_.leaves.template test<Q>(leaf.leaf(), flight.ray, flight.hit, count);
+    rayshoot::visit_leaf<Q>(tree_.leaves, flight, leaf, count);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

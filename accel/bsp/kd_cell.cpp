@@ -2,12 +2,15 @@
 
 namespace rayshoot::inline RAYSHOOT_ISA {
 
-KdCell::Halves KdCell::halves(const KdSplit& split, std::size_t left, std::size_t right) const {
-    const double share = double(left) / double(left + right);
+KdCell::Halves KdCell::halves(std::size_t left, std::size_t right) const {
+    const double share = double(left) / double(std::max(left + right, std::size_t{1}));
     const std::uint64_t spare = most_references - left - right;
     const auto spare_left = static_cast<std::uint64_t>(share * double(spare));
-    Halves both{{box, depth + 1, left + spare_left},
-                {box, depth + 1, right + (spare - spare_left)}};
+    return {{box, depth + 1, left + spare_left}, {box, depth + 1, right + (spare - spare_left)}};
+}
+
+KdCell::Halves KdCell::halves(const KdSplit& split, std::size_t left, std::size_t right) const {
+    Halves both = halves(left, right);
     both.left.box.hi[split.axis] = both.right.box.lo[split.axis] = split.plane;
     return both;
 }

@@ -10,8 +10,12 @@ void KdSubTree::subdivide(std::uint32_t node, const KdCell& cell, std::size_t st
     sketch_.depth = std::max(sketch_.depth, cell.depth);
     const std::size_t size = stacks_[stack].size() - first;
     const auto references = [&] { return std::span(stacks_[stack]).subspan(first, size); };
+    if (parting_.leaves_to_other(size)) return parting_.other()(sketch_, node, cell, references());
     const KdSplit split = parting_.best_split(cell, references());
-    if (split.cost == infinity) return make_leaf(node, references());
+    if (split.cost == infinity) {
+        return parting_.other() ? parting_.other()(sketch_, node, cell, references())
+                                : make_leaf(node, references());
+    }
     const std::array<std::size_t, 2> ends{stacks_[0].size(), stacks_[1].size()};
     // So that they stay where they are while they are parted.
     for (References& each : stacks_)

@@ -26,6 +26,7 @@ struct Piece {
     std::uint32_t root = 0;                         ///< node
     std::uint64_t first_pair = 0, first_block = 0;  ///< of its own
     std::size_t first_part = 0;                     ///< piece
+    std::uint32_t first_plane = 0;                  ///< of its own
 
     void measure() {
         for (const BspSketch::Node& node : sketch->nodes) {
@@ -63,8 +64,9 @@ public:
             tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
                 if (pieces_[i].sketch->parts.empty()) fill(pieces_[i]);
             });
-        BspTree tree{std::move(nodes_), std::move(packer_).build(), footprint_};
-        tree.footprint.bytes = tree.nodes.size() * sizeof(BspNode) + tree.leaves.bytes();
+        BspTree tree{std::move(nodes_), std::move(packer_).build(), footprint_, std::move(planes_)};
+        tree.footprint.bytes = tree.nodes.size() * sizeof(BspNode) + tree.leaves.bytes() +
+                               tree.planes.size() * sizeof(ObliquePlane);
         return tree;
     }
 
@@ -85,6 +87,8 @@ private:
         for (Piece& piece : pieces_) {
             piece.first_pair = pairs_;
             piece.first_block = blocks_;
+            piece.first_plane = static_cast<std::uint32_t>(planes_.size());
+            planes_.insert(planes_.end(), piece.sketch->planes.begin(), piece.sketch->planes.end());
             pairs_ += piece.pairs;
             blocks_ += piece.blocks;
             interior += piece.pairs;
@@ -154,7 +158,10 @@ private:
             }
             const std::uint32_t empty = sketch.empty(node.first) | sketch.empty(node.first + 1)
                                                                        << 1;
-            layout.nodes_[to] = BspNode::interior(node.axis, node.plane, pair, empty);
+            const BspNode laid_out = BspNode::interior(node.axis, node.plane, pair, empty);
+            layout.nodes_[to] = node.axis == oblique_axis
+                                    ? laid_out.numbered(piece.first_plane + laid_out.number())
+                                    : laid_out;
             return Move{node.first, 2 * pair++};
         }
     };
@@ -169,6 +176,7 @@ private:
     std::vector<Piece> pieces_;
     std::uint64_t pairs_ = 1, blocks_ = 0;  ///< the first pair is the root's
     RawArray<BspNode> nodes_;
+    std::vector<ObliquePlane> planes_;
     Footprint footprint_;
     bool parallel_ = false;
 };

@@ -12,6 +12,7 @@ struct BspTree {
     RawArray<BspNode> nodes;  ///< node 0 is the root, node 1 nothing; then pairs of children
     PackedLeaves leaves;
     Footprint footprint;
+    std::vector<ObliquePlane> planes{};  ///< of oblique nodes
 };
 
 /// Depth first, so that a node and its left child are neighbours, and each part in a piece.

@@ -4,7 +4,7 @@
 
 #include <bit>
 
-/// Nodes of a BSP tree whose planes lie across the axes.
+/// Nodes of a BSP tree.
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// A plane and the place of two children that lie side by side, or a leaf; eight bytes.
@@ -22,13 +22,14 @@ public:
     static BspNode leaf(PackedLeaf leaf) { return {0, leaf_bit | leaf.bits()}; }
     static BspNode empty_leaf() { return {0, empty_word}; }
 
-    /// A leaf with a number, for those who keep something else of each.
+    /// A leaf or an oblique node with a number, for those who keep something else of each.
     BspNode numbered(std::uint32_t number) const { return {std::bit_cast<float>(number), word_}; }
     std::uint32_t number() const { return std::bit_cast<std::uint32_t>(plane_); }
 
     bool is_leaf() const { return (word_ & leaf_bit) != 0; }
     bool is_empty() const { return word_ == empty_word; }
     PackedLeaf leaf() const { return PackedLeaf::from(word_ & ~leaf_bit); }
+    /// 0, 1, 2; or oblique_axis, where the plane is that with the node's number.
     std::uint32_t axis() const { return word_ & 3; }
     float plane() const { return plane_; }
     /// 2 * pair

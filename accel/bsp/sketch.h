@@ -1,7 +1,9 @@
 #pragma once
 
+#include "accel/bsp/plane.h"
 #include "accel/core/geometry.h"
 
+#include <bit>
 #include <memory>
 #include <vector>
 
@@ -9,6 +11,9 @@
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 inline constexpr int deepest_bsp = 60;  ///< levels; builders keep to it, stacks rely on it
+
+/// Instead of an axis: the plane lies anyhow, and `plane` has the bits of its number.
+inline constexpr std::uint8_t oblique_axis = 3;
 
 /// A tree, or the top of one whose other parts were built each by itself.
 struct BspSketch {
@@ -23,6 +28,7 @@ struct BspSketch {
 
     std::vector<Node> nodes = std::vector<Node>(1);  ///< the first one is the root
     std::vector<std::uint32_t> members;              ///< primitive numbers
+    std::vector<ObliquePlane> planes;                ///< those of nodes that no axis is across
     std::vector<std::unique_ptr<BspSketch>> parts;
     int depth = 0;         ///< of the deepest leaf
     bool bounded = false;  ///< a node was not divided because of the bound on references
@@ -33,6 +39,11 @@ struct BspSketch {
         nodes[node] = {plane, children, 0, Kind::interior, static_cast<std::uint8_t>(axis)};
         nodes.resize(nodes.size() + 2);
         return children;
+    }
+    std::uint32_t divide(std::uint32_t node, const ObliquePlane& plane) {
+        planes.push_back(plane);
+        return divide(node, oblique_axis,
+                      std::bit_cast<float>(static_cast<std::uint32_t>(planes.size() - 1)));
     }
     void make_leaf(std::uint32_t node, std::span<const std::uint32_t> primitives) {
         nodes[node] = {0, static_cast<std::uint32_t>(members.size()),

@@ -48,14 +48,14 @@ Membership::Membership(const BuildInput& input, Overlap overlap)
         overlap_ = Overlap::bounds;
         return;
     }
-    float reach = diagonal;
+    reach_ = diagonal;
     if (input.view) {
         const vec3 to_eye = input.view->eye - centre_;
-        reach = std::max(reach, std::sqrt(dot(to_eye, to_eye)) + input.view->lens_radius);
+        reach_ = std::max(reach_, std::sqrt(dot(to_eye, to_eye)) + input.view->lens_radius);
     }
-    reach *= 1 + 0x1p-20f;
-    radius_ = geometry_->error_radius(reach * (1 + 0x1p-20f));
-    per_reach_ = 1 / reach;
+    reach_ *= 1 + 0x1p-20f;
+    radius_ = geometry_->error_radius(reach_ * (1 + 0x1p-20f));
+    per_reach_ = 1 / reach_;
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

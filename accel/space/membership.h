@@ -43,6 +43,8 @@ public:
     /// where that does not matter.
     float radius() const { return radius_; }
     Overlap overlap() const { return overlap_; }
+    /// How far from the centre of the scene bounds a ray may start that cells are made_for().
+    float reach() const { return reach_; }
 
     /// Whether in_cell() holds for the ray: it does if the ray starts no farther from the centre of
     /// the scene bounds than the scene's diagonal, or than the eye, and the slab form takes no
@@ -68,6 +70,7 @@ private:
     std::vector<Box> boxes_;  ///< empty: the stored bounds
     Box space_;
     vec3 centre_{0};
+    float reach_ = infinity;
     float per_reach_ = 0;  ///< 1 / reach; 0: whatever overlaps is exact for every ray
     float radius_ = 0;
 };

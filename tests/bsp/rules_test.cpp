@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "accel/bsp/bsp.h"
+#include "accel/bsp/general/general_bsp.h"
 #include "accel/core/catalogue.h"
 #include "accel/core/leaves.h"
 
@@ -101,14 +102,15 @@ TEST_P(EveryTree, loses_no_object_that_straddles_a_boundary_or_lies_in_it) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bsp, EveryTree, testing::ValuesIn(Bsp::configurations),
-                         [](const testing::TestParamInfo<std::string_view>& spec) {
-                             std::string name(spec.param);
-                             std::replace_if(
-                                 name.begin(), name.end(),
-                                 [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-                             return name;
-                         });
+std::string name_of(const testing::TestParamInfo<std::string_view>& spec) {
+    std::string name(spec.param);
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+}
+INSTANTIATE_TEST_SUITE_P(Bsp, EveryTree, testing::ValuesIn(Bsp::configurations), name_of);
+INSTANTIATE_TEST_SUITE_P(GeneralBsp, EveryTree, testing::ValuesIn(GeneralBsp::configurations),
+                         name_of);
 
 }  // namespace
 }  // namespace rayshoot::bsp_test
