@@ -3,7 +3,7 @@
 #include "accel/bsp/descend.h"
 #include "accel/bsp/general/frame.h"
 #include "accel/bsp/outlines.h"
-#include "accel/core/session.h"
+#include "accel/core/structure.h"
 
 /// Binary space partitioning by planes that may lie anyhow (Ize, Wald & Parker 2008), and by planes
 /// across the axes where these are cheaper. Rays go alone. See ../README.md.
