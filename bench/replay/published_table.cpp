@@ -32,7 +32,7 @@ std::vector<std::string> fields(const std::string& line) {
     return {parts.begin(), parts.end()};
 }
 
-double number(const std::string& text, const char* column) {
+double parsed_number(const std::string& text, const char* column) {
     double value = 0;
     const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (wrong != std::errc{} || end != text.data() + text.size() || !(value >= 0))
@@ -50,7 +50,7 @@ std::optional<double> tolerance(const std::string& text) {
             "the tolerance should be exact, none or a percentage, 2% say, "
             "not \"" +
             text + "\"");
-    return number(text.substr(0, text.size() - 1), "tolerance") / 100;
+    return parsed_number(text.substr(0, text.size() - 1), "tolerance") / 100;
 }
 
 PublishedNumber parsed(const std::string& line) {
@@ -67,11 +67,11 @@ PublishedNumber parsed(const std::string& line) {
     result.setting = given[1];
     result.scene = given[2];
     result.metric = given[3];
-    result.value = number(given[4], "value");
+    result.value = parsed_number(given[4], "value");
     result.measure = given[5];
     result.tolerance = tolerance(given[6]);
     result.spec = given[8];
-    if (!given[7].empty()) result.ours = number(given[7], "our_value");
+    if (!given[7].empty()) result.ours = parsed_number(given[7], "our_value");
     return result;
 }
 

@@ -13,7 +13,7 @@
 namespace rayshoot {
 namespace {
 
-void require_valid(const TraceSettings& settings) {
+void require_sensible(const TraceSettings& settings) {
     if (settings.threads < 1) throw std::invalid_argument("at least one thread is needed");
     if (settings.batch < 1 || settings.batch > max_batch) {
         throw std::invalid_argument("a batch has 1 to " + std::to_string(max_batch) +
@@ -45,7 +45,7 @@ std::string StreamAnswers::digest() const {
 
 StreamTracer::StreamTracer(const Accel& accel, const RayStream& stream, TraceSettings settings)
     : accel_(accel), stream_(stream), settings_(settings), answers_(room_for(stream)) {
-    require_valid(settings);
+    require_sensible(settings);
     sessions_.resize(static_cast<std::size_t>(settings.threads));
 }
 
@@ -93,7 +93,7 @@ std::size_t StreamTracer::answer_batch(Session& session, std::size_t first) {
 }
 
 StreamCounts count_stream(const Accel& accel, const RayStream& stream, std::size_t batch) {
-    require_valid({1, batch});
+    require_sensible({1, batch});
     const auto session = accel.open(Mode::counting);
     std::vector<Hit> hits(batch);
     std::vector<std::uint8_t> occluded(batch);
