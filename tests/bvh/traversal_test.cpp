@@ -27,6 +27,18 @@ Places<width> some(std::uint32_t places) {
                           hn::Ne(hn::Load(words<width>, lanes.data()), hn::Zero(words<width>)));
 }
 
+/// test(places, entries) for every set of places but the empty one, each with entries of its own.
+template <class Test>
+void for_all_places(Test&& test) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> entry(0, 10);
+    for (std::uint32_t places = 1; places < 256; ++places) {
+        Row entries;
+        for (float& e : entries) e = entry(random);
+        test(places, entries);
+    }
+}
+
 /// Of the least entry; of those that differ only in the last three bits any.
 void expect_nearest(std::uint32_t places, const Row& entries) {
     const std::uint32_t nearest = nearest_of(some(places), loaded(entries));
@@ -37,13 +49,7 @@ void expect_nearest(std::uint32_t places, const Row& entries) {
 }
 
 TEST(NearestOf, is_the_place_of_the_least_of_those_that_are_met) {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<float> entry(0, 10);
-    for (std::uint32_t places = 1; places < 256; ++places) {
-        Row entries;
-        for (float& e : entries) e = entry(random);
-        expect_nearest(places, entries);
-    }
+    for_all_places(expect_nearest);
     expect_nearest(255, {infinity, 3, 2, 1, 0, infinity, 1e-40f, 1e30f});
 }
 
@@ -101,11 +107,7 @@ TEST(StackOfChildren, takes_whole_vectors_of_which_some_lanes_count) {
 }
 
 TEST(HaltsOfABeam, have_the_nearest_child_on_top_and_all_others_below) {
-    std::mt19937 random(2);
-    std::uniform_real_distribution<float> entry(0, 10);
-    for (std::uint32_t places = 1; places < 256; ++places) {
-        Row entries;
-        for (float& e : entries) e = entry(random);
+    for_all_places([](std::uint32_t places, const Row& entries) {
         Halts<width> halts;
         halts.clear();
         halts.push(7, some(places), loaded(entries));
@@ -120,7 +122,7 @@ TEST(HaltsOfABeam, have_the_nearest_child_on_top_and_all_others_below) {
             met |= 1u << halts.top().place;
         }
         EXPECT_EQ(met, places);
-    }
+    });
 }
 
 TEST(WalkOfAGroup, admits_what_any_ray_enters) {
