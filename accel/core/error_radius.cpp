@@ -22,7 +22,7 @@ double radius_of(PrimitiveKind kind, Precision precision, const Sizes& sizes) {
         case PrimitiveKind::triangle:
             if (precision == Precision::watertight)
                 return unit * (7 * distance + 3 * half_diagonal);
-            return unit / double(float_parallel) * (30 * distance + 15 * half_diagonal);
+            return unit / double(float_parallel) * (48 * distance + 15 * half_diagonal);
         case PrimitiveKind::sphere:
             return 48 * unit * distance;
         case PrimitiveKind::frustum:

@@ -54,9 +54,9 @@ private:
     template <Query Q, Counter C>
     void test_run(std::span<const Slot> run, const TestRay& world, const TestRay& ray, Hit& hit,
                   C& count) const;
-    template <Query Q, Counter C, class Intersect>
+    template <Query Q, Counter C, class Meet>
     void test_each(std::span<const Slot> run, const TestRay& world, Hit& hit, C& count,
-                   Intersect&& intersect_slot) const;
+                   Meet&& meet_slot) const;
     Box bounds_of(const Slot& slot) const;
 
     const Geometry* geometry_ = nullptr;
@@ -80,14 +80,40 @@ inline void accept(const Hit& candidate, float t_min, Hit& best) {
         best = candidate;
 }
 
-/// The definition of a hit (README, rules 1 and 4): clamped to its primitive's bounds, then
-/// compared. Returns whether the primitive was hit at all.
+/// The definition of a hit (README, rules 2 to 4): clamped to its primitive's bounds, then
+/// compared. `strays(clamped)`: whether the clamp takes it too far. Returns whether the primitive
+/// was hit at all.
+template <class Strays>
 inline bool offer(float t, float u, float v, std::uint32_t primitive, const Box& bounds,
-                  const TestRay& world, Hit& hit) {
+                  const TestRay& world, Hit& hit, Strays&& strays) {
     const Interval interval = clip(world, bounds);
     if (interval.empty() || std::isnan(t)) return false;
-    accept({interval.clamp(t), primitive, u, v}, world.t_min, hit);
+    const float clamped = interval.clamp(t);
+    if (clamped != t && strays(clamped)) [[unlikely]]
+        return false;
+    accept({clamped, primitive, u, v}, world.t_min, hit);
     return true;
+}
+
+/// All but triangles in the standard precision: where they are reported, the line meets their
+/// bounds (README, "After the clamp").
+template <class Shape>
+inline bool strays(const Shape&, const TestRay&, float /*t*/, float /*clamped*/) {
+    return false;
+}
+
+/// Rule 1, and what rule 2 asks of the primitive: calls report(t, u, v, strays).
+template <class Shape, class Report>
+inline void meet(const Shape& shape, const TestRay& ray, Report&& report) {
+    intersect(shape, ray, [&](float t, float u, float v) {
+        report(t, u, v, [&](float clamped) { return strays(shape, ray, t, clamped); });
+    });
+}
+template <class Report>
+inline void meet_watertight(const Triangle& triangle, const TestRay& ray, Report&& report) {
+    intersect_watertight(triangle, ray, [&](float t, float u, float v) {
+        report(t, u, v, [](float) { return false; });
+    });
 }
 
 /// Of a triangle that stands still: from the slot itself, which is at hand, not from memory far
@@ -98,13 +124,13 @@ inline Box Leaves::bounds_of(const Slot& slot) const {
     return geometry_->bounds(slot.primitive);
 }
 
-template <Query Q, Counter C, class Intersect>
+template <Query Q, Counter C, class Meet>
 inline void Leaves::test_each(std::span<const Slot> run, const TestRay& world, Hit& hit, C& count,
-                              Intersect&& intersect_slot) const {
+                              Meet&& meet_slot) const {
     for (const Slot& slot : run) {
         bool met = false;
-        intersect_slot(slot, [&](float t, float u, float v) {
-            met |= offer(t, u, v, slot.primitive, bounds_of(slot), world, hit);
+        meet_slot(slot, [&](float t, float u, float v, auto&& strays) {
+            met |= offer(t, u, v, slot.primitive, bounds_of(slot), world, hit, strays);
         });
         count(Event::object_test);
         if constexpr (C::counts) count(Event::object_hit, met);
@@ -119,23 +145,23 @@ inline void Leaves::test_run(std::span<const Slot> run, const TestRay& world, co
     switch (run.front().kind()) {
         case PrimitiveKind::triangle:
             if (geometry_->precision() == Precision::standard)
-                return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& accept) {
-                    intersect(slot.triangle, ray, accept);
+                return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& report) {
+                    meet(slot.triangle, ray, report);
                 });
-            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& accept) {
-                intersect_watertight(slot.triangle, ray, accept);
+            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& report) {
+                meet_watertight(slot.triangle, ray, report);
             });
         case PrimitiveKind::sphere:
-            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& accept) {
-                intersect(Sphere{slot.triangle.a, slot.triangle.b.x}, ray, accept);
+            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& report) {
+                meet(Sphere{slot.triangle.a, slot.triangle.b.x}, ray, report);
             });
         case PrimitiveKind::frustum:
-            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& accept) {
-                intersect(geometry_->frustum(geometry_->ref(slot.primitive).index), ray, accept);
+            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& report) {
+                meet(geometry_->frustum(geometry_->ref(slot.primitive).index), ray, report);
             });
         case PrimitiveKind::polygon:
-            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& accept) {
-                intersect(geometry_->polygon(geometry_->ref(slot.primitive).index), ray, accept);
+            return test_each<Q>(run, world, hit, count, [&](const Slot& slot, auto&& report) {
+                meet(geometry_->polygon(geometry_->ref(slot.primitive).index), ray, report);
             });
     }
 }
@@ -144,8 +170,8 @@ template <Query Q, Counter C>
 inline void Leaves::test(LeafRange leaf, const TestRay& ray, Hit& hit, C& count) const {
     std::span<const Slot> rest(slots_.data() + leaf.first, leaf.count);
     if (plain_)  // the most common case, without the calls that the others need
-        return test_each<Q>(rest, ray, hit, count, [&](const Slot& slot, auto&& accept) {
-            intersect(slot.triangle, ray, accept);
+        return test_each<Q>(rest, ray, hit, count, [&](const Slot& slot, auto&& report) {
+            meet(slot.triangle, ray, report);
         });
     while (!rest.empty()) {
         const std::uint32_t tag = rest.front().tag;

@@ -178,6 +178,10 @@ inline Vectors<V> cross(const Vectors<V>& a, const Vectors<V>& b) {
             hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
 template <class V>
+inline Vectors<V> scaled(V scale, const Vectors<V>& a) {
+    return {hn::Mul(scale, a.x), hn::Mul(scale, a.y), hn::Mul(scale, a.z)};
+}
+template <class V>
 inline V taxicab(const Vectors<V>& a) {
     return hn::Add(hn::Add(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
 }

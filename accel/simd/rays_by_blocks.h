@@ -23,9 +23,10 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
     const quads::Counted counted(size);
     const auto live = triangles.live();
     counted.count(Event::object_test, live, count);
-    const auto offer = [&](V t, V u, V v, auto inside) __attribute__((always_inline)) {
+    const auto offer = [&](V t, V u, V v, auto inside, const auto& strays)
+        __attribute__((always_inline)) {
         const auto hit = clamped<V>({t, inside}, a, triangle_bounds(a, b, c), rays.origin,
-                                    rays.inverse(), padding);
+                                    rays.inverse(), padding, strays);
         counted.count(Event::object_hit, hit.met, count);
         accept_nearest(hit_of, triangles.numbers, rays.t_min, hit, u, v);
     };
@@ -36,7 +37,7 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
         const auto left = hn::AndNot(edges.outside(), live);
         if (M == Misses::leave && hn::AllFalse(tag, left)) return false;
         const auto at = edges.exact(shear.direction_z);
-        offer(at.t, at.u, at.v, hn::And(left, hn::Eq(at.t, at.t)));
+        offer(at.t, at.u, at.v, hn::And(left, hn::Eq(at.t, at.t)), NeverStrays());
     } else {
         const Vectors<V> e1 = b - a, e2 = c - a;
         const WideSums<V> sums(a, e1, e2, rays.origin, rays.direction, rays.direction_size);
@@ -46,7 +47,7 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
         const auto inside = hn::And(hn::And(near, trusted), sums.inside());
         const std::uint32_t untrusted = counted.lanes(hn::AndNot(trusted, near));
         offer(hn::Div(sums.t, sums.det), hn::Div(sums.u, sums.det), hn::Div(sums.v, sums.det),
-              inside);
+              inside, StraysFromTriangle<V>{a, rays.origin, rays.direction});
         quads::each(untrusted, in_double);
     }
     return true;

@@ -142,8 +142,8 @@ template <Counter C>
         const Sphere sphere = block.sphere(lane);
         const Box box = padded(bounds(sphere), padding);
         bool met = false;
-        intersect(sphere, ray, [&](float t, float u, float v) {
-            met |= offer(t, u, v, block.primitive[lane], box, ray, hit);
+        meet(sphere, ray, [&](float t, float u, float v, auto&& strays) {
+            met |= offer(t, u, v, block.primitive[lane], box, ray, hit, strays);
         });
         if constexpr (C::counts) count(Event::object_hit, met);
     }

@@ -103,6 +103,21 @@ private:
     V largest_;  ///< largest_sum()
 };
 
+/// strays() of core/primitive/triangle.h in every lane.
+template <class V>
+struct StraysFromTriangle {
+    simd::Vectors<V> corner, origin, direction;
+
+    auto operator()(V t, V clamped) const {
+        using namespace simd;
+        constexpr hn::DFromV<V> tag;
+        const Vectors<V> apart = origin - corner, way = scaled(t, direction),
+                         moved = scaled(hn::Sub(clamped, t), direction);
+        return hn::Gt(dot(moved, moved), hn::Mul(hn::Set(tag, triangle_doubt),
+                                                 hn::Add(dot(apart, apart), dot(way, way))));
+    }
+};
+
 /// Triangles of a block that a ray's line meets, as the definition of a hit wants them (rules 1 and
 /// 2 of core/README.md): t is clamped to the stored bounds.
 struct BlockAnswer {
@@ -117,9 +132,9 @@ inline BlockAnswer intersect(const TriangleBlock& block, const TestRay& ray, flo
     using V = Floats<TriangleBlock::width>;
     const Vectors<V> a = block.corners(0), b = block.corners(1), c = block.corners(2);
     const Vectors<V> e1 = b - a, e2 = c - a;
-    const WideSums<V> sums(a, e1, e2, everywhere<TriangleBlock::width>(ray.origin),
-                           everywhere<TriangleBlock::width>(ray.direction),
-                           hn::Set(tag, ray.direction_size));
+    const Vectors<V> origin = everywhere<TriangleBlock::width>(ray.origin),
+                     direction = everywhere<TriangleBlock::width>(ray.direction);
+    const WideSums<V> sums(a, e1, e2, origin, direction, hn::Set(tag, ray.direction_size));
     const auto near = hn::AndNot(sums.outside(), live_lanes(tag, block.primitive));
     BlockAnswer answer;
     answer.met = answer.untrusted = 0;
@@ -128,8 +143,8 @@ inline BlockAnswer intersect(const TriangleBlock& block, const TestRay& ray, flo
     const auto inside = hn::And(hn::And(near, trusted), sums.inside());
     answer.untrusted = bits(tag, hn::AndNot(trusted, near));
     const auto hit = clamped<V>({hn::Div(sums.t, sums.det), inside}, a, triangle_bounds(a, b, c),
-                                everywhere<TriangleBlock::width>(ray.origin),
-                                everywhere<TriangleBlock::width>(ray.inverse), padding);
+                                origin, everywhere<TriangleBlock::width>(ray.inverse), padding,
+                                StraysFromTriangle<V>{a, origin, direction});
     answer.met = bits(tag, hit.met);
     hn::StoreU(hit.t, tag, answer.t.data());
     hn::StoreU(hn::Div(sums.u, sums.det), tag, answer.u.data());
@@ -144,7 +159,8 @@ template <Counter C>
     const Triangle triangle = block.triangle(lane);
     intersect_in_double(triangle, ray, [&](float t, float u, float v) {
         const bool met =
-            offer(t, u, v, block.primitive[lane], padded(bounds(triangle), padding), ray, hit);
+            offer(t, u, v, block.primitive[lane], padded(bounds(triangle), padding), ray, hit,
+                  [&](float clamped) { return strays(triangle, ray, t, clamped); });
         if constexpr (C::counts) count(Event::object_hit, met);
     });
 }

@@ -155,9 +155,9 @@ inline BlockAnswer intersect_watertight(const TriangleBlock& block, const TestRa
     if (answer.met == 0) return answer;
     const WideCrossing<V> at = edges.exact(hn::Set(tag, ray.direction[shear.z]));
     const Vectors<V> a = block.corners(0), b = block.corners(1), c = block.corners(2);
-    const auto hit =
-        clamped<V>({at.t, hn::And(left, hn::Eq(at.t, at.t))}, a, triangle_bounds(a, b, c),
-                   everywhere<width>(ray.origin), everywhere<width>(ray.inverse), padding);
+    const auto hit = clamped<V>({at.t, hn::And(left, hn::Eq(at.t, at.t))}, a,
+                                triangle_bounds(a, b, c), everywhere<width>(ray.origin),
+                                everywhere<width>(ray.inverse), padding, NeverStrays());
     answer.met = bits(tag, hit.met);
     hn::StoreU(hit.t, tag, answer.t.data());
     hn::StoreU(at.u, tag, answer.u.data());

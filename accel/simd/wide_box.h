@@ -126,23 +126,35 @@ struct WideHit {
     decltype(simd::hn::Lt(V{}, V{})) met;
 };
 
+/// Where bounds are padded by more than the test errs by.
+struct NeverStrays {
+    template <class V>
+    auto operator()(V /*t*/, V /*clamped*/) const {
+        return simd::hn::FirstN(simd::hn::DFromV<V>(), 0);
+    }
+};
+
 /// By the slab form itself, which is seldom asked: out of the way of what is.
-template <class V>
+template <class V, class Strays>
 [[gnu::noinline]] WideHit<V> clamped_exactly(WideHit<V> hit, const WidePlanes<V>& bounds,
                                              const simd::Vectors<V>& origin,
-                                             const simd::Vectors<V>& inverse, float padding) {
+                                             const simd::Vectors<V>& inverse, float padding,
+                                             const Strays& strays) {
     using namespace simd;
     const WideInterval<V> within = clip(origin, inverse, padded(bounds, padding));
-    return {within.clamp(hit.t), hn::And(hn::And(hit.met, within.met()), hn::Eq(hit.t, hit.t))};
+    const V t = within.clamp(hit.t);
+    const auto met = hn::And(hn::And(hit.met, within.met()), hn::Eq(hit.t, hit.t));
+    return {t, hn::AndNot(strays(hit.t, t), met)};
 }
 
-/// Rule 2 of core/README.md: t clamped to the padded bounds, and not met where these are missed or
-/// t is NaN.
-template <class V>
+/// Rule 2 of core/README.md: t clamped to the padded bounds, and not met where these are missed, t
+/// is NaN or strays(t, clamped).
+template <class V, class Strays>
 [[gnu::always_inline]] inline WideHit<V> clamped(WideHit<V> hit, const simd::Vectors<V>& corner,
                                                  const WidePlanes<V>& bounds,
                                                  const simd::Vectors<V>& origin,
-                                                 const simd::Vectors<V>& inverse, float padding) {
+                                                 const simd::Vectors<V>& inverse, float padding,
+                                                 const Strays& strays) {
     using namespace simd;
     constexpr hn::DFromV<V> tag;
     const auto as_it_is = inner_interval(corner, bounds, origin, inverse, padding).contains(hit.t);
@@ -151,7 +163,8 @@ template <class V>
     // Copies: what is handed over by its address lies in memory all the time.
     const WidePlanes<V> planes = bounds;
     const Vectors<V> from = origin, scale = inverse;
-    return clamped_exactly<V>(hit, planes, from, scale, padding);
+    const Strays rule = strays;
+    return clamped_exactly<V>(hit, planes, from, scale, padding, rule);
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

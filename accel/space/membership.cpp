@@ -53,6 +53,8 @@ Membership::Membership(const BuildInput& input, Overlap overlap)
         const vec3 to_eye = input.view->eye - centre_;
         reach_ = std::max(reach_, std::sqrt(dot(to_eye, to_eye)) + input.view->lens_radius);
     }
+    // Hits from beyond may be reported anywhere in the bounds (core/README.md, Stored bounds).
+    if (geometry_->precision() == Precision::watertight) reach_ = std::min(reach_, 4 * diagonal);
     reach_ *= 1 + 0x1p-20f;
     radius_ = geometry_->error_radius(reach_ * (1 + 0x1p-20f));
     per_reach_ = 1 / reach_;

@@ -12,8 +12,8 @@
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// A binary tree of boxes. Where cells hold only what is near the part of a primitive inside them,
-/// a hit can be reported where no cell that holds the primitive is, however much cells are grown: a
-/// ray that misses the primitive by a rounding is clamped into its stored bounds, and comes into
+/// a ray from farther away than they are made for can be reported to hit it where no cell holds it:
+/// a ray that misses the primitive by a rounding is clamped into its stored bounds, and comes into
 /// these far away if it runs nearly along a face. But always into them: the reported t is in the
 /// bounds' interval (rule 2 of ../core/README.md), hence in that of every box round them, exactly,
 /// from whatever distance the ray comes. So a tree of such boxes, visited while their intervals

@@ -62,11 +62,9 @@ TYPED_TEST(Bounds, support_is_reached_and_not_passed) {
 
 TEST(Bounds, of_frusta_touch_their_circles) {
     const Frustum cone{{1, 2, 3}, 2, {1, 2, 7}, 0.5f};
-    const Box box = bounds(cone);
-    EXPECT_EQ(box.lo.z, 3);
-    EXPECT_EQ(box.hi.z, 7);
-    EXPECT_FLOAT_EQ(box.lo.x, -1);
-    EXPECT_FLOAT_EQ(box.hi.y, 4);
+    const Box box = bounds(cone), circles{{-1, 0, 3}, {3, 4, 7}};
+    EXPECT_TRUE(box.contains(circles));
+    EXPECT_TRUE(circles.grown(0x1p-21f).contains(box));  // 2^-23 of half length and largest radius
 }
 
 TEST(Bounds, of_a_polygon_in_a_plane_across_an_axis_are_flat) {

@@ -1,6 +1,9 @@
 #include "tests/core/cases.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <span>
 
 #include "accel/core/primitive/extent.h"
 
@@ -160,6 +163,51 @@ Ray ray_at(const Spot& spot, double size, Random& random) {
     dvec3 aim = target - dvec3(ray.origin);
     if (choice == 3 || !(length(aim) > 0)) aim = direction;
     ray.direction = vec3(aim * (random.below(2) ? random.magnitude(-10, 10) : 1.0));
+    return ray;
+}
+
+namespace {
+
+dvec3 outermost(std::span<const vec3> corners, const dvec3& outward) {
+    return dvec3(
+        *std::max_element(corners.begin(), corners.end(), [&](const vec3& a, const vec3& b) {
+            return dot(dvec3(a), outward) < dot(dvec3(b), outward);
+        }));
+}
+
+}  // namespace
+
+dvec3 outermost(const Triangle& triangle, const dvec3& outward) {
+    return outermost(std::array{triangle.a, triangle.b, triangle.c}, outward);
+}
+
+dvec3 outermost(const Sphere& sphere, const dvec3& outward) {
+    return dvec3(sphere.centre) + double(sphere.radius) * outward;
+}
+
+dvec3 outermost(const Frustum& frustum, const dvec3& outward) {
+    const dvec3 axis = normalised(dvec3(frustum.apex) - dvec3(frustum.base));
+    const dvec3 radial = outward - dot(outward, axis) * axis;
+    const dvec3 step = length(radial) > 0 ? normalised(radial) : dvec3(0);
+    const dvec3 base = dvec3(frustum.base) + double(frustum.base_radius) * step;
+    const dvec3 apex = dvec3(frustum.apex) + double(frustum.apex_radius) * step;
+    return dot(base, outward) > dot(apex, outward) ? base : apex;
+}
+
+dvec3 outermost(const Polygon& polygon, const dvec3& outward) {
+    return outermost(std::span(polygon.corners), outward);
+}
+
+Ray ray_past(const dvec3& point, const dvec3& outward, double size, double away, Random& random) {
+    const auto [u, v] = across(outward);
+    const dvec3 turn = random.unit();
+    const dvec3 along_face = normalised(turn.x * u + turn.y * v);
+    const double descent = random.magnitude(-24, -3), passed = size * random.magnitude(-28, -14);
+    const dvec3 direction = along_face - descent * outward;
+    Ray ray;
+    ray.origin = vec3(point + passed * outward - away * direction);
+    ray.t_min = -infinity;
+    ray.direction = vec3((random.below(2) ? random.magnitude(-10, 10) : 1.0) * direction);
     return ray;
 }
 

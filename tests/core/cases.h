@@ -44,6 +44,16 @@ Spot spot_on(const Polygon& polygon, Random& random);
 /// axis-parallel, with a direction of any length.
 Ray ray_at(const Spot& spot, double size, Random& random);
 
+/// The point of a shape that is outermost in a direction along an axis.
+dvec3 outermost(const Triangle& triangle, const dvec3& outward);
+dvec3 outermost(const Sphere& sphere, const dvec3& outward);
+dvec3 outermost(const Frustum& frustum, const dvec3& outward);
+dvec3 outermost(const Polygon& polygon, const dvec3& outward);
+
+/// A ray from `away` that passes such a point of a shape of the given size by a rounding or so,
+/// nearly along the face of the shape's bounds.
+Ray ray_past(const dvec3& point, const dvec3& outward, double size, double away, Random& random);
+
 /// Add to a geometry that holds nothing else.
 Geometry alone(const Triangle& triangle, Precision precision = Precision::standard);
 Geometry alone(const Sphere& sphere);

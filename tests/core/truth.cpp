@@ -89,6 +89,17 @@ Real distance(const Point& p, const Polygon& polygon) {
     return least;
 }
 
+std::vector<Real> meetings(const Ray& ray, const Triangle& triangle) {
+    const Point a(triangle.a), e1 = Point(triangle.b) - a, e2 = Point(triangle.c) - a;
+    const Point d(ray.direction), s = Point(ray.origin) - a;
+    const Point p = cross(d, e2), q = cross(s, e1);
+    const Real det = dot(e1, p);
+    if (det == 0) return {};
+    const Real u = dot(s, p) / det, v = dot(d, q) / det;
+    if (u < 0 || v < 0 || u + v > 1) return {};
+    return {dot(e2, q) / det};
+}
+
 std::vector<Real> meetings(const Ray& ray, const Sphere& sphere) {
     const Point d(ray.direction), from = Point(ray.origin) - Point(sphere.centre);
     const Real a = dot(d, d), b = dot(from, d);

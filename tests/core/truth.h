@@ -37,6 +37,8 @@ Real distance(const Point& p, const Sphere& sphere);
 Real distance(const Point& p, const Frustum& frustum);
 Real distance(const Point& p, const Polygon& polygon);
 
+/// The line's meeting with a triangle, if it is not parallel.
+std::vector<Real> meetings(const Ray& ray, const Triangle& triangle);
 /// The line's two meetings with a sphere, or none.
 std::vector<Real> meetings(const Ray& ray, const Sphere& sphere);
 /// The line's meetings with a frustum.

@@ -53,9 +53,9 @@ void expect_lanes_like_rays() {
         const WideEdges<V> edges(shear.turned(a - wide.origin), shear.turned(b - wide.origin),
                                  shear.turned(c - wide.origin), shear.along_x, shear.along_y);
         const WideCrossing<V> at = edges.exact(shear.direction_z);
-        const auto found =
-            clamped<V>({at.t, hn::AndNot(edges.outside(), hn::Eq(at.t, at.t))}, a,
-                       triangle_bounds(a, b, c), wide.origin, wide.inverse, geometry.padding());
+        const auto found = clamped<V>({at.t, hn::AndNot(edges.outside(), hn::Eq(at.t, at.t))}, a,
+                                      triangle_bounds(a, b, c), wide.origin, wide.inverse,
+                                      geometry.padding(), NeverStrays());
         const auto t = wide.store(found.t), u = wide.store(at.u), v = wide.store(at.v);
         for (std::size_t j = 0; j < Width; ++j) {
             const Answer wanted =

@@ -25,6 +25,8 @@ struct Axis {
                     : 0) {
         unit = half_length > 0 ? unit / (2 * half_length) : dvec3(0);
     }
+    /// The largest distance within it, up to a factor of 2.
+    double size() const { return half_length + radius + std::abs(slope) * half_length; }
     bool degenerate() const { return !(half_length > 0 && radius > 0); }
     double radius_at(double m) const { return std::max(std::fma(slope, m, radius), 0.0); }
     /// Half the width of a unit circle round the axis, seen along a coordinate axis.
@@ -67,6 +69,9 @@ struct AxialLine {
 /// ill-conditioned equation (a line along a generator) that does not is no crossing, so that the
 /// distance of a reported point is bounded by construction.
 constexpr double root_tolerance = 0x1p-25;
+/// How far from it the point may be, likewise a share: up to four times the tolerance, as a flat
+/// cone turns a difference of radii into one of heights.
+constexpr double farthest_from_surface = 0x1p-23;
 
 /// In the half plane of height and distance from the axis, where the surface is a line segment.
 bool on_surface(const Axis& axis, const AxialLine& line, double t) {
@@ -76,7 +81,7 @@ bool on_surface(const Axis& axis, const AxialLine& line, double t) {
     const double radius = std::fma(t, line.growth, line.reach);
     const double steepness = std::abs(axis.slope);
     const double half_range = steepness * axis.half_length;
-    const double tolerance = root_tolerance * (axis.half_length + axis.radius + half_range);
+    const double tolerance = root_tolerance * axis.size();
     return std::abs(distance - radius) <= tolerance * (1 + steepness) &&
            std::abs(distance - axis.radius) <= half_range + tolerance;
 }
@@ -215,6 +220,7 @@ double margin_of(const Box& whole) { return slack * double(largest_coordinate(wh
 
 Box bounds(const Frustum& frustum) {
     const Axis axis(frustum);
+    const double margin = farthest_from_surface * axis.size();
     Box box;
     for (const auto& [centre, radius] :
          {std::pair(dvec3(frustum.base), double(frustum.base_radius)),
@@ -222,8 +228,8 @@ Box bounds(const Frustum& frustum) {
         const dvec3 reach = radius * (axis.circle_extent() * (1 + 0x1p-48));
         Box circle;
         for (int i = 0; i < 3; ++i) {
-            circle.lo[i] = rounded_down(centre[i] - reach[i]);
-            circle.hi[i] = rounded_up(centre[i] + reach[i]);
+            circle.lo[i] = rounded_down(centre[i] - reach[i] - margin);
+            circle.hi[i] = rounded_up(centre[i] + reach[i] + margin);
         }
         box.include(circle);
     }

@@ -34,7 +34,7 @@ inline void intersect(const Frustum& frustum, const TestRay& ray, Accept&& accep
     for (int i = 0; i < found.count; ++i) accept(found.t[static_cast<std::size_t>(i)], 0.0f, 0.0f);
 }
 
-/// Tight, rounded outward, not padded.
+/// Of all that crossings() takes for the surface, rounded outward, not padded.
 Box bounds(const Frustum& frustum);
 /// Bounds of the part inside `box`; empty when there is none. Conservative.
 Box clipped_bounds(const Frustum& frustum, const Box& box);

@@ -29,6 +29,9 @@ inline constexpr double double_parallel = 0x1p-36;
 inline constexpr float smallest_determinant = 0x1p-80f, largest_determinant = 0x1p80f;
 /// No sum of the float test is off by this share of the largest that it could be.
 inline constexpr float sum_error = 0x1p-20f;
+/// How far along the line a hit may be off: the square of its share of the distances to the
+/// triangle and to the hit, 2 (9 * 2^-17)^2.
+inline constexpr float triangle_doubt = 162 * 0x1p-34f;
 
 /// Moeller & Trumbore 1997, but without a division before the ray is known to hit.
 template <std::floating_point F>
@@ -89,6 +92,14 @@ inline void intersect(const Triangle& triangle, const TestRay& ray, Accept&& acc
         return intersect_in_double(triangle, ray, accept);
     if (!sums.inside()) return;
     accept(sums.t / sums.det, sums.u / sums.det, sums.v / sums.det);
+}
+
+/// Whether a clamp takes a hit of Precision::standard farther along its line than the test can err:
+/// then the line passes the triangle (README, rule 2).
+inline bool strays(const Triangle& triangle, const TestRay& ray, float t, float clamped) {
+    const vec3 apart = ray.origin - triangle.a, way = t * ray.direction;
+    const vec3 moved = (clamped - t) * ray.direction;
+    return dot(moved, moved) > triangle_doubt * (dot(apart, apart) + dot(way, way));
 }
 
 /// Edge functions of the sheared triangle: positive multiples of the barycentrics, or all negative.
