@@ -10,7 +10,7 @@ namespace {
 constexpr const char* golden_questions =
     "9534e1aaa33fb5cd4b8c87e84289ec3256b182c0021f04362e43bb80aaaadad6";
 constexpr const char* golden_hits =
-    "1410c0804fbfc9e6b3a40f4d73e39dbfb7b69ba711b7df65c75a50d08bdf6ef7";
+    "03e5bb9d57827b3b37b087f16549f86a0e0c2bfd141f1629f7b0ea0b07ae9ce6";
 
 TEST(Digest, of_the_questions_is_the_committed_one) {
     EXPECT_EQ(question_digest(make_cases({})), golden_questions);
