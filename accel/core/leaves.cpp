@@ -33,4 +33,8 @@ Leaves::Slot Leaves::pack(std::uint32_t primitive) const {
     return slot;
 }
 
+bool Leaves::misses_bounds(const Slot& slot, const TestRay& world) const {
+    return clip(world, geometry_->bounds(slot.primitive)).empty();
+}
+
 }  // namespace rayshoot::inline RAYSHOOT_ISA
