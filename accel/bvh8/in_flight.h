@@ -139,8 +139,8 @@ inline void WideBvh<Node>::visit_blocks(std::uint64_t& waiting, Departures& depa
         if constexpr (std::is_same_v<Block, SphereBlock>)
             test<misses>(pairs, together, padding, count);
         else if (leaves_.precision() == Precision::standard)
-            test<Precision::standard, misses>(pairs, together, padding, count);
-        else test<Precision::watertight, misses>(pairs, together, padding, count);
+            test<Precision::standard, misses, Q>(pairs, together, padding, count);
+        else test<Precision::watertight, misses, Q>(pairs, together, padding, count);
         for (std::size_t i = 0; i < together; ++i) {
             Flight& flight = flights[numbers[i]];
             const PackedLeaf leaf = flight.next.leaf();
