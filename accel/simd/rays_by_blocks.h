@@ -83,9 +83,10 @@ template <Misses M, class HitOf, class InDouble, Counter C>
 }
 
 /// For the first `size` of them what test() of triangle_block.h does, or test_watertight(); for
-/// Query::occluded as above.
+/// Query::occluded as above. Flattened, as g++ 12 leaves the sums out of line: what is handed over
+/// by its address lies in memory.
 template <Precision P, Misses M = Misses::go_on, Query Q = Query::closest, Counter C>
-inline void test(RaysAndBlocks<TriangleBlock>& pairs, std::size_t size,
+[[gnu::flatten]] inline void test(RaysAndBlocks<TriangleBlock>& pairs, std::size_t size,
                                   float padding, C& count) {
     Hit nobody;
     quads::fill(pairs, size, nobody);
