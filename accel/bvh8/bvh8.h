@@ -87,7 +87,7 @@ private:
     struct Children;
     template <Counter C>
     Children meet(const Flight& flight, const Node& node, C& count) const;
-    template <Counter C>
+    template <Query Q, Counter C>
     void cross(Flight& flight, C& count) const;
     template <Query Q, Counter C>
     void visit_leaf(Flight& flight, C& count) const;
