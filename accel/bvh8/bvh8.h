@@ -69,11 +69,13 @@ private:
     template <Query Q, Counter C>
     void trace_in_flight(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
     template <Query Q, Counter C>
-    void trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch, C& count) const;
+    void trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch, Company& company,
+                        C& count) const;
     template <Query Q, Counter C>
     bool follow(Packet& packet, Halts& halts, C& count) const;
     template <Query Q, Counter C>
-    void follow(Packet& packet, std::size_t group, GroupWalk& walk, C& count) const;
+    void follow(Packet& packet, std::size_t group, GroupWalk& walk, Company& company,
+                C& count) const;
     template <Counter C>
     void admit(const Packet& packet, std::size_t group, RaySet among, const Node& parent,
                std::size_t place, float entry, GroupWalk& walk, C& count) const;
@@ -87,7 +89,7 @@ private:
     struct Children;
     template <Counter C>
     Children meet(const Flight& flight, const Node& node, C& count) const;
-    template <Counter C>
+    template <Query Q, Counter C>
     void cross(Flight& flight, C& count) const;
     template <Query Q, Counter C>
     void visit_leaf(Flight& flight, C& count) const;
@@ -122,12 +124,15 @@ inline void WideBvh<Node>::many(const BatchPart& some, Answers<Q>& answers, Scra
     const auto of_batch = [&](const Part& part) {
         return Part{part.rays, some.first + part.first};
     };
+    Company company;
     in_packets(
         some.rays,
         [&](std::span<const Ray> rays) {
-            return scratch.packet.load(rays, leaves_.precision(), most_apart_);
+            return company.pays() && scratch.packet.load(rays, leaves_.precision(), most_apart_);
         },
-        [&](const Part& part) { trace_together<Q>(of_batch(part), answers, scratch, count); },
+        [&](const Part& part) {
+            trace_together<Q>(of_batch(part), answers, scratch, company, count);
+        },
         [&](const Part& part) { each(of_batch(part)); });
 }
 

@@ -39,4 +39,23 @@ private:
     std::size_t size_ = 0;
 };
 
+/// How many rays of a group visit a node together, on average over a batch so far. Rays of a batch
+/// go much the same way, and what they see is much alike: so this foretells the next packet's.
+class Company {
+public:
+    void note(RaySet rays) {
+        ++nodes_;
+        rays_ += static_cast<std::uint64_t>(std::popcount(rays));
+    }
+    /// Whether the next rays had better go as a packet, too.
+    bool pays() const { return nodes_ < few_nodes || rays_ >= least_rays * nodes_; }
+
+private:
+    static constexpr std::uint64_t few_nodes = 64;  ///< say nothing yet
+    /// With fewer a group's step costs more than those of its rays in flight (measured: README).
+    static constexpr std::uint64_t least_rays = 4;
+
+    std::uint64_t nodes_ = 0, rays_ = 0;
+};
+
 }  // namespace rayshoot::inline RAYSHOOT_ISA

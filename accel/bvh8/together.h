@@ -11,12 +11,12 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 template <class Node>
 template <Query Q, Counter C>
 inline void WideBvh<Node>::trace_together(const Part& part, Answers<Q>& answers, Scratch& scratch,
-                                          C& count) const {
+                                          Company& company, C& count) const {
     Packet& packet = scratch.packet;
     if (!follow<Q>(packet, scratch.halts, count))
         for (std::size_t group = 0; group < packet.groups(); ++group) {
             set_out(packet, group, scratch, count);
-            follow<Q>(packet, group, scratch.walk, count);
+            follow<Q>(packet, group, scratch.walk, company, count);
         }
     for (std::size_t i = 0; i < part.rays.size(); ++i) answers.store(part.first + i, packet.hit(i));
 }
@@ -74,7 +74,7 @@ inline void WideBvh<Node>::set_out(const Packet& packet, std::size_t group, Scra
 template <class Node>
 template <Query Q, Counter C>
 inline void WideBvh<Node>::follow(Packet& packet, std::size_t group, GroupWalk& walk,
-                                  C& count) const {
+                                  Company& company, C& count) const {
     const Packet::Section section = Packet::one(group);
     Beam beam = packet.beam(section);
     while (!walk.empty()) {
@@ -86,6 +86,7 @@ inline void WideBvh<Node>::follow(Packet& packet, std::size_t group, GroupWalk& 
             beam.nearest = packet.reach(section);
             continue;
         }
+        company.note(halt.rays);
         const Node& node = node_at(halt.child);
         const auto [met, entries] = step(beam, node, count);
         alignas(32) std::array<float, Node::width> entry_of;

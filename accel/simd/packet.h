@@ -271,8 +271,8 @@ template <Query Q, Precision P, Counter C>
         const auto in_double = [&](std::size_t i, std::size_t lane) {
             test_in_double(block, lane, TestRay(ray_of(i), P), padding, hit_of(i), count);
         };
-        return rayshoot::test<P, Misses::leave>(triangles, some, size, hit_of, in_double, padding,
-                                                count);
+        return rayshoot::test<Q, P, Misses::leave>(triangles, some, size, hit_of, in_double,
+                                                   padding, count);
     };
     test_some<Q>(rays, test);
 }

@@ -138,6 +138,24 @@ inline void accept_nearest(HitOf&& hit_of, simd::Words<quads::lanes> numbers, qu
     for (std::size_t i = 0; i < hits.size(); ++i) hit_of(i) = hits[i];
 }
 
+/// For rays that are over once they hit anything: any primitive that is met before the hit so far,
+/// whose t stays. Returns false if no hit has changed.
+template <class HitOf>
+inline bool accept_any(HitOf&& hit_of, simd::Words<quads::lanes> numbers, quads::V t_min,
+                       const WideHit<quads::V>& hit) {
+    using namespace simd;
+    using quads::tag, quads::word;
+    const quads::V before =
+        hn::Broadcast<0>(quads::load([&](std::size_t i) { return &hit_of(i).t; }));
+    const std::uint32_t accepted =
+        bits(tag, hn::And(hit.met, hn::And(hn::Gt(hit.t, t_min), hn::Le(hit.t, before))));
+    if (accepted == 0) return false;
+    alignas(64) std::array<std::uint32_t, quads::lanes> number_of;
+    hn::Store(numbers, word, number_of.data());
+    for_each(accepted, [&](std::size_t lane) { hit_of(lane / 4).primitive = number_of[lane]; });
+    return true;
+}
+
 /// The rays, each in all lanes of its quad.
 struct QuadsOfRays {
     simd::Vectors<quads::V> origin, direction;

@@ -10,10 +10,10 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 enum class Misses { leave, go_on };
 
 /// Tests each ray against its four triangles as test() of triangle_block.h does, or
-/// test_watertight(): the same bits. Only the first `size` rays count, but all are given hits.
-/// `in_double(ray, lane)`: for what float cannot decide. Returns false only
-/// if surely no hit has changed.
-template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
+/// test_watertight(): the same bits; for Query::occluded of some hit instead of the nearest,
+/// without t, u and v. Only the first `size` rays count, but all are given hits. `in_double(ray,
+/// lane)`: for what float cannot decide. Returns false only if surely no hit has changed.
+template <Query Q, Precision P, Misses M, class HitOf, class InDouble, Counter C>
 [[gnu::always_inline]] inline bool test(const QuadsOfTriangles& triangles, const QuadsOfRays& rays,
                                         std::size_t size, HitOf&& hit_of, InDouble&& in_double,
                                         float padding, C& count) {
@@ -28,7 +28,10 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
         const auto hit = clamped<V>({t, inside}, a, triangle_bounds(a, b, c), rays.origin,
                                     rays.inverse(), padding, strays);
         counted.count(Event::object_hit, hit.met, count);
+        if constexpr (Q == Query::occluded)
+            return accept_any(hit_of, triangles.numbers, rays.t_min, hit);
         accept_nearest(hit_of, triangles.numbers, rays.t_min, hit, u, v);
+        return true;
     };
     if constexpr (P == Precision::watertight) {
         const WideShear<V> shear(rays.direction);
@@ -37,7 +40,7 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
         const auto left = hn::AndNot(edges.outside(), live);
         if (M == Misses::leave && hn::AllFalse(tag, left)) return false;
         const auto at = edges.exact(shear.direction_z);
-        offer(at.t, at.u, at.v, hn::And(left, hn::Eq(at.t, at.t)), NeverStrays());
+        return offer(at.t, at.u, at.v, hn::And(left, hn::Eq(at.t, at.t)), NeverStrays());
     } else {
         const Vectors<V> e1 = b - a, e2 = c - a;
         const WideSums<V> sums(a, e1, e2, rays.origin, rays.direction, rays.direction_size);
@@ -46,11 +49,12 @@ template <Precision P, Misses M, class HitOf, class InDouble, Counter C>
         const auto trusted = sums.trusted();
         const auto inside = hn::And(hn::And(near, trusted), sums.inside());
         const std::uint32_t untrusted = counted.lanes(hn::AndNot(trusted, near));
-        offer(hn::Div(sums.t, sums.det), hn::Div(sums.u, sums.det), hn::Div(sums.v, sums.det),
-              inside, StraysFromTriangle<V>{a, rays.origin, rays.direction});
+        const bool changed =
+            offer(hn::Div(sums.t, sums.det), hn::Div(sums.u, sums.det), hn::Div(sums.v, sums.det),
+                  inside, StraysFromTriangle<V>{a, rays.origin, rays.direction});
         quads::each(untrusted, in_double);
+        return changed || untrusted != 0;
     }
-    return true;
 }
 
 /// Or against its four spheres, as test() of sphere_block.h does; `in_double` likewise.
@@ -80,12 +84,15 @@ template <Misses M, class HitOf, class InDouble, Counter C>
     return true;
 }
 
-/// For the first `size` of them what test() of triangle_block.h does, or test_watertight().
-template <Precision P, Misses M = Misses::go_on, Counter C>
-inline void test(RaysAndBlocks<TriangleBlock>& pairs, std::size_t size, float padding, C& count) {
+/// For the first `size` of them what test() of triangle_block.h does, or test_watertight(); for
+/// Query::occluded as above. Flattened, as g++ 12 leaves the sums out of line: what is handed over
+/// by its address lies in memory.
+template <Precision P, Misses M = Misses::go_on, Query Q = Query::closest, Counter C>
+[[gnu::flatten]] inline void test(RaysAndBlocks<TriangleBlock>& pairs, std::size_t size,
+                                  float padding, C& count) {
     Hit nobody;
     quads::fill(pairs, size, nobody);
-    test<P, M>(
+    test<Q, P, M>(
         QuadsOfTriangles(pairs), QuadsOfRays(pairs), size,
         [&](std::size_t i) -> Hit& { return *pairs[i].hit; },
         [&](std::size_t i, std::size_t lane) {

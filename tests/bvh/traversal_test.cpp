@@ -140,5 +140,15 @@ TEST(WalkOfAGroup, admits_what_any_ray_enters) {
     EXPECT_EQ(first.rays, 0b101u);
 }
 
+TEST(Company, pays_until_few_rays_on_average_share_many_nodes) {
+    Company company;
+    for (int node = 0; node < 63; ++node) company.note(0b111);
+    EXPECT_TRUE(company.pays());
+    company.note(0b111);
+    EXPECT_FALSE(company.pays());
+    for (int node = 0; node < 6; ++node) company.note(Packet::everyone);
+    EXPECT_TRUE(company.pays());
+}
+
 }  // namespace
 }  // namespace rayshoot::bvh_test

@@ -31,8 +31,8 @@ struct Members {
     }
 };
 
-/// test(pairs, size, padding, count)
-template <class Block, class Test>
+/// test(pairs, size, padding, count); for Query::occluded only whether there is a hit is compared.
+template <class Block, Query Q = Query::closest, class Test>
 void expect_like_the_shared_test(Mixture mixture, Precision precision, Test&& test) {
     cases::Random random(1);
     Counters counts, wanted_counts;
@@ -69,8 +69,10 @@ void expect_like_the_shared_test(Mixture mixture, Precision precision, Test&& te
                             test_primitive<Query::closest>(geometry, number, ray, hit, count);
                     });
                 wanted_counts += wanted.counts;
-                ASSERT_TRUE(cases::same_bits(found[j], wanted.hit)) << cases::print(rays[j]);
                 const bool hit = wanted.hit.primitive != no_primitive;
+                ASSERT_TRUE(Q == Query::closest ? cases::same_bits(found[j], wanted.hit)
+                                                : hit == (found[j].primitive != no_primitive))
+                    << cases::print(rays[j]);
                 rays[j] = hit ? cases::ending_near(rays[j], wanted.hit.t, random) : some_ray();
             }
             ASSERT_EQ(counts, wanted_counts);
@@ -80,11 +82,12 @@ void expect_like_the_shared_test(Mixture mixture, Precision precision, Test&& te
     EXPECT_GT(counts[Event::object_hit], counts[Event::object_test] / 10);
 }
 
-template <Precision P>
+template <Precision P, Query Q = Query::closest>
 void expect_triangles_like_the_shared_test() {
-    expect_like_the_shared_test<TriangleBlock>(
+    expect_like_the_shared_test<TriangleBlock, Q>(
         Mixture::triangles, P, [](auto& pairs, std::size_t size, float padding, auto& count) {
-            test<P>(pairs, size, padding, count);
+            constexpr Misses misses = Q == Query::closest ? Misses::go_on : Misses::leave;
+            test<P, misses, Q>(pairs, size, padding, count);
         });
 }
 
@@ -94,6 +97,11 @@ TEST(RaysByBlocks, answer_like_the_shared_test) {
 
 TEST(RaysByBlocks, answer_like_the_shared_test_of_watertight_triangles) {
     expect_triangles_like_the_shared_test<Precision::watertight>();
+}
+
+TEST(RaysByBlocks, are_occluded_where_the_shared_test_hits) {
+    expect_triangles_like_the_shared_test<Precision::standard, Query::occluded>();
+    expect_triangles_like_the_shared_test<Precision::watertight, Query::occluded>();
 }
 
 TEST(RaysByBlocks, answer_like_the_shared_test_of_spheres) {
