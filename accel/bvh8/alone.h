@@ -14,14 +14,14 @@ inline void WideBvh<Node>::trace_alone(Flight& flight, C& count) const {
             visit_leaf<Q>(flight, count);
             if constexpr (Q == Query::occluded)
                 if (flight.hit.primitive != no_primitive) return;
-            flight.template pop<Q>();
+            flight.pop();
             continue;
         }
         const Node& node = node_at(flight.next);
         const Children children = meet(flight, node, count);
         std::uint32_t places = children.places;
         if (places == 0) {
-            flight.template pop<Q>();
+            flight.pop();
             continue;
         }
         auto place = static_cast<std::size_t>(std::countr_zero(places));

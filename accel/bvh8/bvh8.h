@@ -89,7 +89,7 @@ private:
     struct Children;
     template <Counter C>
     Children meet(const Flight& flight, const Node& node, C& count) const;
-    template <Query Q, Counter C>
+    template <Counter C>
     void cross(Flight& flight, C& count) const;
     template <Query Q, Counter C>
     void visit_leaf(Flight& flight, C& count) const;
@@ -128,7 +128,7 @@ inline void WideBvh<Node>::many(const BatchPart& some, Answers<Q>& answers, Scra
     in_packets(
         some.rays,
         [&](std::span<const Ray> rays) {
-            return company.pays() && scratch.packet.load(rays, leaves_.precision(), most_apart_);
+            return company.pays<Q>() && scratch.packet.load(rays, leaves_.precision(), most_apart_);
         },
         [&](const Part& part) {
             trace_together<Q>(of_batch(part), answers, scratch, company, count);

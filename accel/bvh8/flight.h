@@ -34,13 +34,8 @@ public:
     /// Writes whole vectors, of which the first `count` lanes count.
     template <class Words, class V>
     void push(std::size_t count, Words children, V entries) {
-        simd::hn::StoreU(entries, simd::hn::DFromV<V>(), &entries_[top_]);
-        push(count, children);
-    }
-    /// The same for a ray that never culls.
-    template <class Words>
-    void push(std::size_t count, Words children) {
         simd::hn::StoreU(children, simd::hn::DFromV<Words>(), &children_[top_]);
+        simd::hn::StoreU(entries, simd::hn::DFromV<V>(), &entries_[top_]);
         top_ += count;
     }
     void push(WideChild child, float entry) {
@@ -117,10 +112,13 @@ struct alignas(64) Flight {
         number = static_cast<std::uint32_t>(n);
         stack.clear();
     }
-    /// A ray that is over once it hits anything has nothing out of its reach until then.
-    template <Query Q>
     void pop() {
-        next = Q == Query::closest ? stack.cull(hit.t) : stack.top();
+        next = stack.cull(hit.t);
+        stack.drop();
+    }
+    /// For a ray that is over once it hits anything: until then nothing is out of its reach.
+    void pop_any() {
+        next = stack.top();
         stack.drop();
     }
 };

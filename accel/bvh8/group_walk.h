@@ -48,12 +48,16 @@ public:
         rays_ += static_cast<std::uint64_t>(std::popcount(rays));
     }
     /// Whether the next rays had better go as a packet, too.
-    bool pays() const { return nodes_ < few_nodes || rays_ >= least_rays * nodes_; }
+    template <Query Q>
+    bool pays() const {
+        return nodes_ < few_nodes || rays_ >= least_rays<Q> * nodes_;
+    }
 
 private:
     static constexpr std::uint64_t few_nodes = 64;  ///< say nothing yet
     /// With fewer a group's step costs more than those of its rays in flight (measured: README).
-    static constexpr std::uint64_t least_rays = 4;
+    template <Query Q>
+    static constexpr std::uint64_t least_rays = Q == Query::closest ? 3 : 4;
 
     std::uint64_t nodes_ = 0, rays_ = 0;
 };

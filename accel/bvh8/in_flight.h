@@ -9,14 +9,13 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// Which children the ray meets, and which of them first.
 template <class Node>
-template <Query Q, Counter C>
+template <Counter C>
 inline void WideBvh<Node>::cross(Flight& flight, C& count) const {
     using namespace simd;
     constexpr auto tag = floats<Node::width>;
     const Node& node = node_at(flight.next);
     const Children children = meet(flight, node, count);
-    if constexpr (Q == Query::closest)
-        hn::Store(children.entry, tag, flight.crossing.entries.data());
+    hn::Store(children.entry, tag, flight.crossing.entries.data());
     flight.crossing.node = &node;
     flight.crossing.places = children.places;
     flight.crossing.nearest = nearest_of(children.met, children.entry);
@@ -25,20 +24,17 @@ inline void WideBvh<Node>::cross(Flight& flight, C& count) const {
 /// Goes on to the nearest child that is met, or else to what was left behind last; the other
 /// children are left behind in any order. What is popped here was pushed in an earlier round: a
 /// value that has just been stored as part of a vector would have to be waited for.
-template <Query Q, class Node>
+template <class Node>
 inline void go_down(Flight<Node>& flight) {
     using namespace simd;
     const auto& crossing = flight.crossing;
     const std::uint32_t nearest = crossing.nearest;
     const std::uint32_t places = crossing.places, others = places & ~(1u << nearest);
     const WideChild left_behind = flight.stack.top();
-    const auto count = static_cast<std::size_t>(std::popcount(places));
-    const auto children =
-        compress(hn::Load(words<Node::width>, crossing.node->children.data()), others);
-    if constexpr (Q == Query::closest)
-        flight.stack.push(count, children,
-                          compress(hn::Load(floats<Node::width>, crossing.entries.data()), others));
-    else flight.stack.push(count, children);
+    flight.stack.push(
+        static_cast<std::size_t>(std::popcount(places)),
+        compress(hn::Load(words<Node::width>, crossing.node->children.data()), others),
+        compress(hn::Load(floats<Node::width>, crossing.entries.data()), others));
     flight.stack.drop();
     flight.next = WideChild::from(static_cast<std::uint32_t>(
         simd::select(places != 0, crossing.node->child(nearest).bits(), left_behind.bits())));
@@ -97,9 +93,9 @@ inline void WideBvh<Node>::trace_in_flight(const Part& part, Answers<Q>& answers
     while (departures.any()) {
         const std::uint64_t at_node = std::exchange(departures.to_node, 0);
         // Two short loops: the processor looks ahead over more rays in each than in one long loop.
-        simd::for_each(at_node, [&](std::size_t number) { cross<Q>(flights[number], count); });
+        simd::for_each(at_node, [&](std::size_t number) { cross(flights[number], count); });
         simd::for_each(at_node, [&](std::size_t number) {
-            go_down<Q>(flights[number]);
+            go_down(flights[number]);
             go_on(number);
         });
         departures.sort_leaves(flights);
@@ -108,7 +104,7 @@ inline void WideBvh<Node>::trace_in_flight(const Part& part, Answers<Q>& answers
         simd::for_each(std::exchange(departures.to_mixed, 0), [&](std::size_t number) {
             Flight& flight = flights[number];
             visit_leaf<Q>(flight, count);
-            flight.template pop<Q>();
+            flight.pop();
             if (Q == Query::occluded && flight.hit.primitive != no_primitive)
                 flight.next = WideChild::none();
             go_on(number);
@@ -151,7 +147,8 @@ inline void WideBvh<Node>::visit_blocks(std::uint64_t& waiting, Departures& depa
             const bool last = leaf.block_count() == 1;
             const bool over = Q == Query::occluded && flight.hit.primitive != no_primitive;
             if constexpr (C::counts) count(Event::cell, last || over);
-            flight.template pop<Q>();
+            if constexpr (Q == Query::closest) flight.pop();
+            else flight.pop_any();
             if (!last) [[unlikely]] {
                 flight.stack.push(flight.next, -infinity);
                 flight.next = WideChild::leaf(leaf.after_first());

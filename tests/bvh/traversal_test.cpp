@@ -143,11 +143,11 @@ TEST(WalkOfAGroup, admits_what_any_ray_enters) {
 TEST(Company, pays_until_few_rays_on_average_share_many_nodes) {
     Company company;
     for (int node = 0; node < 63; ++node) company.note(0b111);
-    EXPECT_TRUE(company.pays());
+    EXPECT_TRUE(company.pays<Query::occluded>());
     company.note(0b111);
-    EXPECT_FALSE(company.pays());
+    EXPECT_FALSE(company.pays<Query::occluded>());
     for (int node = 0; node < 6; ++node) company.note(Packet::everyone);
-    EXPECT_TRUE(company.pays());
+    EXPECT_TRUE(company.pays<Query::occluded>());
 }
 
 }  // namespace
