@@ -105,8 +105,8 @@ inline void Bsp::visit_blocks(Fleet& fleet, FleetLanes& at_block, FleetLanes& ov
         if constexpr (std::is_same_v<Block, SphereBlock>)
             test<misses>(pairs, together, padding, count);
         else if (tree_.leaves.precision() == Precision::standard)
-            test<Precision::standard, misses>(pairs, together, padding, count);
-        else test<Precision::watertight, misses>(pairs, together, padding, count);
+            test<Precision::standard, misses, Q>(pairs, together, padding, count);
+        else test<Precision::watertight, misses, Q>(pairs, together, padding, count);
         for (std::size_t i = 0; i < together; ++i) {
             Fleet::Passenger& passenger = fleet.passengers[numbers[i]];
             const bool hit = Q == Query::occluded && passenger.hit.primitive != no_primitive;

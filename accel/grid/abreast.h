@@ -38,11 +38,11 @@ struct Grid::Abreast {
     // What is called most has all that it calls inlined; the rest stays out of its way. Most blocks
     // are missed: their tests are left early.
     [[gnu::flatten]] void test_triangles(RaysAndBlocks<TriangleBlock>& pairs, std::size_t size) {
-        rayshoot::test<Precision::standard, Misses::leave>(pairs, size, padding(), count);
+        rayshoot::test<Precision::standard, Misses::leave, Q>(pairs, size, padding(), count);
     }
     [[gnu::noinline]] void test_watertight_triangles(RaysAndBlocks<TriangleBlock>& pairs,
                                                      std::size_t size) {
-        rayshoot::test<Precision::watertight, Misses::leave>(pairs, size, padding(), count);
+        rayshoot::test<Precision::watertight, Misses::leave, Q>(pairs, size, padding(), count);
     }
     [[gnu::noinline]] void test_spheres(RaysAndBlocks<SphereBlock>& pairs, std::size_t size) {
         rayshoot::test<Misses::leave>(pairs, size, padding(), count);
