@@ -8,7 +8,7 @@ namespace rayshoot::contract {
 namespace {
 
 constexpr const char* golden_questions =
-    "9534e1aaa33fb5cd4b8c87e84289ec3256b182c0021f04362e43bb80aaaadad6";
+    "4894caa721ccaf7f5788c37f01e54b6040e10d3e0abd8e6fc2f9eaec1a5c3cd8";
 constexpr const char* golden_hits =
     "03e5bb9d57827b3b37b087f16549f86a0e0c2bfd141f1629f7b0ea0b07ae9ce6";
 
