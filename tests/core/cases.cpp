@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <span>
 
+#include "accel/core/leaves.h"
 #include "accel/core/primitive/extent.h"
 
 namespace rayshoot::cases {
@@ -209,6 +210,16 @@ Ray ray_past(const dvec3& point, const dvec3& outward, double size, double away,
     ray.t_min = -infinity;
     ray.direction = vec3((random.below(2) ? random.magnitude(-10, 10) : 1.0) * direction);
     return ray;
+}
+
+bool is_taken_back(const Triangle& triangle, const Box& bounds, const Ray& ray) {
+    bool taken = false;
+    const TestRay prepared(ray, Precision::standard);
+    meet(triangle, prepared, [&](float t, float, float, auto&& strays) {
+        const Interval interval = clip(prepared, bounds);
+        taken = !interval.empty() && strays(interval.clamp(t));
+    });
+    return taken;
 }
 
 Geometry alone(const Triangle& triangle, Precision precision) {

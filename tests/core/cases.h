@@ -53,6 +53,17 @@ dvec3 outermost(const Polygon& polygon, const dvec3& outward);
 /// A ray from `away` that passes such a point of a shape of the given size by a rounding or so,
 /// nearly along the face of the shape's bounds.
 Ray ray_past(const dvec3& point, const dvec3& outward, double size, double away, Random& random);
+/// Past any of the shape's outermost points, from at most 2^`farthest` sizes away.
+template <class Shape>
+Ray ray_past_an_end(const Shape& shape, double size, int farthest, Random& random) {
+    dvec3 outward(0);
+    outward[static_cast<int>(random.below(3))] = random.below(2) ? 1 : -1;
+    const double away = size * random.magnitude(-3, farthest);
+    return ray_past(outermost(shape, outward), outward, size, away, random);
+}
+/// Whether the test in Precision::standard takes a hit back because the clamp to the triangle's
+/// bounds moves it too far.
+bool is_taken_back(const Triangle& triangle, const Box& bounds, const Ray& ray);
 
 /// Add to a geometry that holds nothing else.
 Geometry alone(const Triangle& triangle, Precision precision = Precision::standard);

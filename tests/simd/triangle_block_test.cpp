@@ -58,16 +58,6 @@ TEST(TriangleBlock, answers_like_the_shared_test_with_the_same_counts) {
     EXPECT_GT(hits, 5000u);
 }
 
-/// Whether the shared test takes a hit back because the clamp moves it too far.
-bool is_taken_back(const Geometry& geometry, const Triangle& triangle, const TestRay& ray) {
-    bool taken = false;
-    meet(triangle, ray, [&](float t, float, float, auto&& strays) {
-        const Interval interval = clip(ray, geometry.bounds(0));
-        taken = !interval.empty() && interval.clamp(t) != t && strays(interval.clamp(t));
-    });
-    return taken;
-}
-
 /// Of 2 000 000 rays that pass a triangle's end by a rounding there are few such.
 TEST(TriangleBlock, takes_hits_back_that_the_clamp_moves_too_far) {
     cases::Random random(3);
@@ -79,17 +69,12 @@ TEST(TriangleBlock, takes_hits_back_that_the_clamp_moves_too_far) {
         TriangleBlock block;
         block.set(random.below(4), triangle, 0);
         for (int j = 0; j < 1000; ++j) {
-            dvec3 outward(0);
-            outward[static_cast<int>(random.below(3))] = random.below(2) ? 1 : -1;
-            const double away = size * random.magnitude(-3, 8);
-            const Ray ray =
-                cases::ray_past(cases::outermost(triangle, outward), outward, size, away, random);
-            const TestRay prepared(ray, Precision::standard);
-            if (!is_taken_back(geometry, triangle, prepared)) continue;
+            const Ray ray = cases::ray_past_an_end(triangle, size, 8, random);
+            if (!cases::is_taken_back(triangle, geometry.bounds(0), ray)) continue;
             Hit hit = nothing_yet(ray);
             Counters counts;
             Tally tally{&counts};
-            test(block, prepared, geometry.padding(), hit, tally);
+            test(block, TestRay(ray, Precision::standard), geometry.padding(), hit, tally);
             EXPECT_EQ(hit.primitive, no_primitive) << cases::print(ray);
             EXPECT_EQ(counts[Event::object_hit], 0u);
             ++taken_back;

@@ -4,6 +4,7 @@
 #include "tests/contract/contract.h"
 #include "tests/contract/scenes/shapes.h"
 #include "tests/contract/truth.h"
+#include "tests/core/cases.h"
 #include "tests/core/truth.h"
 
 /// Rays from far away, nearly along a face of what they hit: all structures that subdivide space
@@ -77,18 +78,6 @@ bool is_far_from_its_triangle(const Scene& scene, const Ray& ray, const Hit& hit
     return static_cast<float>(distance) > scene.geometry.error_radius(length(size));
 }
 
-/// Whether the ray passes a triangle by a rounding, and the clamp to the bounds would have taken
-/// the hit elsewhere.
-bool is_taken_for_a_hit(const Triangle& triangle, const Box& bounds, const Ray& ray) {
-    bool taken = false;
-    const TestRay prepared(ray, Precision::standard);
-    meet(triangle, prepared, [&](float t, float, float, auto&& strays) {
-        const Interval interval = clip(prepared, bounds);
-        taken = !interval.empty() && strays(interval.clamp(t));
-    });
-    return taken;
-}
-
 struct Questions {
     std::vector<Ray> rays;
     std::vector<Hit> truth;
@@ -134,7 +123,7 @@ Questions asked_from_nearby(const Scene& scene) {
         const Triangle& triangle = scene.large[number];
         const float away = random.between(0.5f, 1.5f);
         const Ray ray = past_a_corner(triangle, away, from_nearby, random);
-        const bool tells = is_taken_for_a_hit(triangle, scene.geometry.bounds(number), ray);
+        const bool tells = cases::is_taken_back(triangle, scene.geometry.bounds(number), ray);
         questions.telling += tells;
         if (tells || i % 400 == 0) questions.add(ray, brute_force);
     }
