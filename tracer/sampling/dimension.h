@@ -17,7 +17,7 @@ enum class Use : std::uint8_t {
     lobe,          ///< the direction within it
     roulette,
 };
-inline constexpr int uses = 8;
+inline constexpr std::uint32_t uses = 8;
 
 /// A dimension of the integrand, or a pair of them: a use at a place in the tree of rays of one
 /// camera sample. Either the number or the pair of a dimension is used, they are not independent.

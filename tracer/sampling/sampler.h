@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
-#include <vector>
 
 #include "tracer/sampling/dimension.h"
 #include "tracer/sampling/pair.h"
+#include "tracer/sampling/permutations.h"
+#include "tracer/sampling/pixel_ranks.h"
 #include "tracer/sampling/strata.h"
+#include "tracer/sampling/sub_frames.h"
+#include "tracer/sampling/truncated_gaussian.h"
 
 /// The random numbers of camera samples. All are pure functions of (seed, pixel, sample,
 /// dimension), made by integer arithmetic: alike on every machine, for any number of threads, any
@@ -57,14 +61,19 @@ public:
     int strata_down() const { return static_cast<int>(rows_.count()); }
 
 private:
-    struct Key;
-    Key key(Pixel pixel, Dimension dimension) const;
+    std::uint64_t key(Pixel pixel, Dimension dimension) const;
+    Pair of_pixel(std::uint32_t sample, std::uint64_t key) const;
+    Pair in_cell(std::uint32_t stratum, std::uint64_t bits) const;
+    std::uint32_t sobol_index(Pixel pixel, std::uint32_t sample) const;
 
     SamplerSettings settings_;
-    std::uint64_t seed_;                          ///< hashed
-    Strata columns_, rows_, line_;                ///< of a pair; of a number
-    std::vector<std::uint16_t> pixel_ranks_;      ///< of blue_noise: rank_tile()
-    std::vector<std::uint16_t> time_of_stratum_;  ///< of cook_time: prototypes, one after another
+    std::uint64_t seed_;                         ///< hashed
+    Strata rows_, columns_, line_;               ///< of a pair; of a number
+    Permutations permutations_;                  ///< of samples
+    int sample_bits_;                            ///< of the largest sample's number
+    std::optional<TruncatedGaussian> gaussian_;  ///< of kind gaussian
+    std::optional<PixelRanks> ranks_;            ///< of blue_noise
+    std::optional<SubFrames> sub_frames_;        ///< of cook_time
 };
 
 }  // namespace rayshoot
