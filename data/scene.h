@@ -11,7 +11,19 @@
 /// A scene: geometry, materials, lights, camera and, where the source gives one, a hierarchy.
 namespace rayshoot {
 
-/// The surface model of NFF: `f red green blue Kd Ks Shine T index_of_refraction`.
+/// How a surface scatters light; tracer/bsdf/README.md has the formulas. Each names the fields of
+/// Material that it reads besides `emission`; the others have no effect.
+enum class SurfaceModel : std::uint8_t {
+    nff,         ///< colour, diffuse, specular, shininess, transmittance, refraction_index, gloss
+    lambert,     ///< colour, diffuse
+    oren_nayar,  ///< colour, diffuse, roughness
+    phong,       ///< colour, diffuse, specular, shininess: normalised, no mirror reflection
+    cook_torrance,  ///< colour, diffuse, specular, roughness, refraction_index: a coated diffuser
+    conductor,      ///< colour (times Fresnel), roughness, eta, absorption
+    dielectric,     ///< colour (times what passes), roughness, refraction_index
+};
+
+/// The surface model of NFF, `f red green blue Kd Ks Shine T index_of_refraction`, and beyond.
 struct Material {
     vec3 colour{1};           ///< linear RGB in [0, 1]
     float diffuse = 1;        ///< Kd
@@ -19,6 +31,15 @@ struct Material {
     float shininess = 1;      ///< Phong cosine power
     float transmittance = 0;  ///< T
     float refraction_index = 1;
+
+    SurfaceModel model = SurfaceModel::nff;
+    float roughness = 0;  ///< alpha of GGX in [0, 1], 0: smooth; Oren-Nayar: sigma, radians
+    float gloss = 0;      ///< cosine power of blurred reflection and refraction; 0: sharp
+    /// Of a conductor: its complex refraction index eta + i absorption. Here gold's at 630, 532 and
+    /// 465 nm (Johnson & Christy 1972, rounded).
+    vec3 eta{0.19f, 0.54f, 1.33f}, absorption{3.4f, 2.2f, 1.9f};
+    /// Radiance, W/(m^2 sr), to the side that the stored normal faces; of spheres to both sides.
+    vec3 emission{0};
 };
 
 /// The camera as scene files give it; tracer/ makes the View of an image size from it.

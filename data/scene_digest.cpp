@@ -17,6 +17,15 @@ public:
         put(static_cast<std::uint64_t>(values.size()));
         for (const auto& value : values) put(value);
     }
+    /// A field that came later: nothing for its usual value, so that digests of scenes without it
+    /// stay; else with its name, so that no other field or place can stand for it.
+    template <class Value>
+    void later(std::string_view name, std::size_t index, const Value& value, const Value& usual) {
+        if (value == usual) return;
+        digest_.add(name);
+        put(static_cast<std::uint64_t>(index));
+        put(value);
+    }
     std::string hex() const { return digest_.hex(); }
 
 private:
@@ -93,6 +102,24 @@ void add_hierarchy(Writer& out, const Hierarchy& hierarchy) {
     }
 }
 
+void add_later_fields(Writer& out, const std::vector<Material>& materials) {
+    const Material usual;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        const Material& m = materials[i];
+        out.later("material.model", i, m.model, usual.model);
+        out.later("material.roughness", i, m.roughness, usual.roughness);
+        out.later("material.gloss", i, m.gloss, usual.gloss);
+        out.later("material.eta", i, m.eta, usual.eta);
+        out.later("material.absorption", i, m.absorption, usual.absorption);
+        out.later("material.emission", i, m.emission, usual.emission);
+    }
+}
+
+void add_later_fields(Writer& out, const std::vector<Light>& lights) {
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        out.later("light.falloff", i, lights[i].falloff, Light{}.falloff);
+}
+
 }  // namespace
 
 std::string digest(const Scene& scene) {
@@ -104,6 +131,10 @@ std::string digest(const Scene& scene) {
     const Camera& c = scene.camera;
     out(c.from, c.at, c.up, c.angle, c.hither, c.width, c.height, scene.background);
     if (scene.hierarchy) add_hierarchy(out, *scene.hierarchy);
+    // Last, so that they cannot be taken for what stands above. A hierarchy's first group has a
+    // bound of kind 0 to 2, which is not how a name begins.
+    add_later_fields(out, scene.materials);
+    add_later_fields(out, scene.lights);
     return out.hex();
 }
 

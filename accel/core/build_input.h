@@ -40,6 +40,13 @@ enum class LightKind : std::uint8_t {
     triangles
 };
 
+/// How the irradiance of point and spot lights depends on distance.
+enum class Falloff : std::uint8_t {
+    none,           ///< Phong 1975: a white diffuser that faces the light has radiance `intensity`
+    inverse_square  ///< physical: `intensity` is the radiant intensity
+};
+
+/// Rectangle, disc and triangles shine to the side of their normal, a sphere to both sides.
 struct Light {
     LightKind kind = LightKind::point;
     vec3 position{0};           ///< point, spot, disc, sphere: centre; rectangle: one corner
@@ -47,10 +54,17 @@ struct Light {
     vec3 edge_u{0}, edge_v{0};  ///< rectangle: the two sides from `position`
     float radius = 0;           ///< disc, sphere; scene units
     float cos_inner = 1, cos_outer = 1;  ///< spot: full inside the first, dark outside the second
-    std::vector<std::uint32_t> primitives;  ///< triangles: numbers of the emitting primitives
-    vec3 intensity{1};                      ///< RGB, linear
+    /// Numbers of the emitting primitives. triangles: the triangles; rectangle, disc and sphere:
+    /// what is in its place, if anything is, facing as it does and moving as one. They shine with
+    /// `intensity`, whatever the emission of their materials.
+    std::vector<std::uint32_t> primitives;
+    /// RGB, linear. Rectangle, disc, sphere, triangles: radiance, W/(m^2 sr); point, spot: radiant
+    /// intensity, W/sr; directional: irradiance where it falls at right angles, W/m^2. The last
+    /// three mean that with Falloff::inverse_square only.
+    vec3 intensity{1};
     Box samples;  ///< encloses every point a shadow ray may aim at; empty: directional
     int strata_u = 1, strata_v = 1;
+    Falloff falloff = Falloff::none;  ///< of point and spot; directional: the unit of intensity
 };
 
 /// Groups and bounding volumes as the scene gives them (Rubin & Whitted 1980). Group 0 is the root.

@@ -78,5 +78,28 @@ TEST(SceneDigest, depends_on_everything_but_the_name) {
     expect_new(read_nff(tiny, "a.nff", Precision::watertight));
 }
 
+TEST(SceneDigest, depends_on_the_fields_beyond_nff_and_on_whose_they_are) {
+    Scene scene = read_nff(tiny, "a.nff");
+    scene.materials.push_back(scene.materials[0]);
+    scene.lights.push_back(scene.lights[0]);
+    const std::string before = digest(scene);
+    std::vector<std::string> digests{before};
+    for (const std::size_t i : {0u, 1u}) {
+        const auto expect_new = [&](auto change) {
+            Scene changed = scene;
+            change(changed.materials[i], changed.lights[i]);
+            for (const std::string& old : digests) EXPECT_NE(digest(changed), old);
+            digests.push_back(digest(changed));
+        };
+        expect_new([](Material& m, Light&) { m.model = SurfaceModel::conductor; });
+        expect_new([](Material& m, Light&) { m.roughness = 0.5f; });
+        expect_new([](Material& m, Light&) { m.gloss = 0.5f; });
+        expect_new([](Material& m, Light&) { m.eta.y = 0.5f; });
+        expect_new([](Material& m, Light&) { m.absorption.y = 0.5f; });
+        expect_new([](Material& m, Light&) { m.emission.y = 0.5f; });
+        expect_new([](Material&, Light& light) { light.falloff = Falloff::inverse_square; });
+    }
+}
+
 }  // namespace
 }  // namespace rayshoot
