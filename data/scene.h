@@ -42,12 +42,26 @@ struct Material {
     vec3 emission{0};
 };
 
+/// A thin lens; lengths in scene units. Its image of what is `focus_distance` away is sharp.
+struct Lens {
+    float focal_length = 0;    ///< > 0 and less than focus_distance
+    float f_stop = 0;          ///< > 0: focal length / diameter of the aperture
+    float focus_distance = 0;  ///< from the lens to the plane in focus, along the viewing axis
+    int blades = 0;            ///< of the aperture: 0 round, else a polygon of 3 or more corners
+    float blade_angle = 0;     ///< degrees from the right to its first corner, counter-clockwise
+};
+
 /// The camera as scene files give it; tracer/ makes the View of an image size from it.
 struct Camera {
     vec3 from{0, 0, 1}, at{0}, up{0, 1, 0};
     float angle = 45;  ///< degrees, full angle across the image's height (NFF: a square image)
     float hither = 0;  ///< distance along the axis before which nothing is seen; not applied by SPD
     int width = 512, height = 512;  ///< the resolution the file asks for
+    std::optional<Lens> lens;       ///< none: a pinhole
+    std::optional<Motion> motion;   ///< of the whole camera; the pose above is its rest frame
+    /// Ray times between which the shutter is open, in [0, 1]; equal: an instant. Readers evaluate
+    /// motions where the frame's shutter opens and closes, which then are times 0 and 1.
+    float shutter_open = 0, shutter_close = 1;
 };
 
 struct Scene {

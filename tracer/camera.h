@@ -9,6 +9,8 @@
 /// From a scene's camera and an image size to a View, and from a View to camera rays.
 namespace rayshoot {
 
+struct Pair;  // tracer/sampling: two numbers in [0, 1)
+
 /// Where the rays of an image go through.
 /// corners: the SPD testing rules. The outermost rays are `Camera::angle` apart, so 513 x 513 rays
 /// are the corners of 512 x 512 pixels: slope (2i / 512 - 1) tan(angle / 2). Cells of the raster
@@ -34,13 +36,15 @@ inline constexpr ImageFormat mesh_format{512, 512, 1, Raster::centres, 0};
 /// Throws std::invalid_argument, saying what is accepted, for a size or sample count out of range.
 void require_valid(const ImageFormat& format);
 
+/// `border`: cells outside the image, on each side, that rays may go through (Film::border()).
 /// `hither` is not applied: the SPD tables are of unclipped scenes. Throws std::invalid_argument
 /// for a camera that looks nowhere (from = at), along its up vector, or at an angle outside (0,
-/// 180).
-View make_view(const Camera& camera, const ImageFormat& format);
+/// 180), for a lens or a motion that is none (require_valid, require_rigid), and for a border that
+/// is negative or reaches beyond largest_image.
+View make_view(const Camera& camera, const ImageFormat& format, int border = 0);
 
 /// What a structure for rendering `scene` in this format is built from; refers to `scene`.
-BuildInput build_input(const Scene& scene, const ImageFormat& format);
+BuildInput build_input(const Scene& scene, const ImageFormat& format, int border = 0);
 
 struct Pixel {
     std::int16_t x = 0, y = 0;
@@ -50,9 +54,24 @@ struct Pixel {
 /// The camera rays of an image.
 class CameraRays {
 public:
-    CameraRays(const Camera& camera, const ImageFormat& format);
+    /// Throws as make_view does.
+    CameraRays(const Camera& camera, const ImageFormat& format, int border = 0);
 
-    /// Sample `sample` of `spp`; it goes through the closed cell (pixel.x, pixel.y) of the View.
+    /// Through raster point (x, y), in cells from the image's upper left corner, border included.
+    /// `lens` is mapped to the aperture (without a lens it is not used): the ray leaves there and
+    /// meets the pinhole's ray through (x, y) on the plane in focus, at t = focus distance. `time`:
+    /// shutter time in [0, 1]; a moving camera is taken where it is then. Its Source is
+    /// source(x, y).
+    Ray ray(double raster_x, double raster_y, Pair lens, float time) const;
+
+    /// The cell that a raster point lies in.
+    static Pixel cell(double raster_x, double raster_y);
+    static Source source(double raster_x, double raster_y) {
+        return source(cell(raster_x, raster_y));
+    }
+
+    /// Sample `sample` of `spp`, through the lens's middle at time 0; it goes through the closed
+    /// cell (pixel.x, pixel.y) of the View.
     Ray ray(Pixel pixel, int sample) const;
     static Source source(Pixel pixel) { return Source::cell(pixel.x, pixel.y); }
 
@@ -60,8 +79,15 @@ public:
     const ImageFormat& format() const { return format_; }
 
 private:
+    /// A ray's start before motion and rounding, relative to the eye, and its direction there.
+    struct AtRest {
+        dvec3 on_lens, direction;
+    };
+    Ray placed(const AtRest& at_rest, float time) const;
+
     ImageFormat format_;
     View view_;
+    std::optional<Lens> lens_;
     dvec3 to_corner_, across_, down_;          ///< the view's, before they were rounded
     int strata_across_ = 1, strata_down_ = 1;  ///< of a cell; their product is spp
 };
