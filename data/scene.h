@@ -48,7 +48,9 @@ struct Lens {
     float f_stop = 0;          ///< > 0: focal length / diameter of the aperture
     float focus_distance = 0;  ///< from the lens to the plane in focus, along the viewing axis
     int blades = 0;            ///< of the aperture: 0 round, else a polygon of 3 or more corners
-    float blade_angle = 0;     ///< degrees from the right to its first corner, counter-clockwise
+    float blade_angle = 0;     ///< degrees from the right to its first corner, towards up
+
+    bool operator==(const Lens&) const = default;
 };
 
 /// The camera as scene files give it; tracer/ makes the View of an image size from it.

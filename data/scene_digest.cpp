@@ -43,6 +43,13 @@ private:
     void put(const Box& box) { (*this)(box.lo, box.hi); }
     void put(const Sphere& sphere) { (*this)(sphere.centre, sphere.radius); }
     void put(const Motion& motion) { (*this)(motion.pivot, motion.translation, motion.rotation); }
+    void put(const Lens& lens) {
+        (*this)(lens.focal_length, lens.f_stop, lens.focus_distance, lens.blades, lens.blade_angle);
+    }
+    template <class Value>
+    void put(const std::optional<Value>& value) {
+        if (value) put(*value);
+    }
     void put(std::monostate) {}
 
     Digest digest_;
@@ -120,6 +127,14 @@ void add_later_fields(Writer& out, const std::vector<Light>& lights) {
         out.later("light.falloff", i, lights[i].falloff, Light{}.falloff);
 }
 
+void add_later_fields(Writer& out, const Camera& camera) {
+    const Camera usual;
+    out.later("camera.lens", 0, camera.lens, usual.lens);
+    out.later("camera.motion", 0, camera.motion, usual.motion);
+    out.later("camera.shutter_open", 0, camera.shutter_open, usual.shutter_open);
+    out.later("camera.shutter_close", 0, camera.shutter_close, usual.shutter_close);
+}
+
 }  // namespace
 
 std::string digest(const Scene& scene) {
@@ -135,6 +150,7 @@ std::string digest(const Scene& scene) {
     // bound of kind 0 to 2, which is not how a name begins.
     add_later_fields(out, scene.materials);
     add_later_fields(out, scene.lights);
+    add_later_fields(out, scene.camera);
     return out.hex();
 }
 

@@ -1,10 +1,14 @@
 #include "tracer/camera.h"
 
+#include "accel/core/primitive/rounding.h"
+#include "tracer/lens.h"
+#include "tracer/random.h"
+#include "tracer/sampling/warp.h"
+
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include "tracer/random.h"
 
 namespace rayshoot {
 namespace {
@@ -38,6 +42,13 @@ int smaller_factor(int count) {
     return factor;
 }
 
+void require_border(const ImageFormat& format, int border) {
+    const int room = largest_image - std::max(format.width, format.height);
+    if (border >= 0 && border <= room) return;
+    throw std::invalid_argument("image border " + std::to_string(border) + ": must be from 0 to " +
+                                std::to_string(room));
+}
+
 }  // namespace
 
 void require_valid(const ImageFormat& format) {
@@ -51,17 +62,19 @@ void require_valid(const ImageFormat& format) {
     check("samples per pixel", format.spp, largest_spp);
 }
 
-View make_view(const Camera& camera, const ImageFormat& format) {
-    return CameraRays(camera, format).view();
+View make_view(const Camera& camera, const ImageFormat& format, int border) {
+    return CameraRays(camera, format, border).view();
 }
 
-BuildInput build_input(const Scene& scene, const ImageFormat& format) {
-    return {scene.geometry, make_view(scene.camera, format), scene.lights,
+BuildInput build_input(const Scene& scene, const ImageFormat& format, int border) {
+    return {scene.geometry, make_view(scene.camera, format, border), scene.lights,
             scene.hierarchy ? &*scene.hierarchy : nullptr};
 }
 
-CameraRays::CameraRays(const Camera& camera, const ImageFormat& format) : format_(format) {
+CameraRays::CameraRays(const Camera& camera, const ImageFormat& format, int border)
+    : format_(format), lens_(camera.lens) {
     require_valid(format);
+    require_border(format, border);
     if (!(camera.angle > 0 && camera.angle < 180)) {
         throw std::invalid_argument("camera: angle " + std::to_string(camera.angle) +
                                     ": must be more than 0 and less than 180 degrees");
@@ -70,6 +83,8 @@ CameraRays::CameraRays(const Camera& camera, const ImageFormat& format) : format
     const double half = std::tan(camera.angle * (std::numbers::pi / 360));
     const int spans = format.raster == Raster::centres ? format.height : format.height - 1;
     const double cell = 2 * half / (spans > 0 ? spans : 1);  // edge of a cell at distance 1
+    right_ = frame.right;
+    up_ = frame.up;
     across_ = frame.right * cell;
     down_ = frame.up * -cell;
     to_corner_ = frame.forward - across_ * (0.5 * format.width) - down_ * (0.5 * format.height);
@@ -82,8 +97,52 @@ CameraRays::CameraRays(const Camera& camera, const ImageFormat& format) : format
     view_.down = vec3(down_);
     view_.width = format.width;
     view_.height = format.height;
+    view_.border = border;
+    open_lens(camera);
     strata_down_ = smaller_factor(format.spp);
     strata_across_ = format.spp / strata_down_;
+}
+
+void CameraRays::open_lens(const Camera& camera) {
+    if (camera.lens) {
+        require_valid(*camera.lens);
+        view_.lens_radius = rounded_up(lens_radius(*camera.lens));
+        view_.focus_distance = camera.lens->focus_distance;
+    }
+    if (camera.motion) require_rigid(*camera.motion);
+    view_.motion = camera.motion;
+}
+
+Pixel CameraRays::cell(double raster_x, double raster_y) {
+    return {static_cast<std::int16_t>(std::floor(raster_x)),
+            static_cast<std::int16_t>(std::floor(raster_y))};
+}
+
+Ray CameraRays::ray(double raster_x, double raster_y, Pair lens, float time) const {
+    const dvec3 direction = to_corner_ + across_ * raster_x + down_ * raster_y;
+    if (!lens_) return placed({dvec3(0), direction}, time);
+    const AperturePoint on = on_aperture(*lens_, lens);
+    return placed({on.right * right_ + on.up * up_, direction}, time);
+}
+
+/// The origin is rounded first and the direction then aims from there at the point in focus, so
+/// that the ray keeps to its raster cell wherever the coordinates' origin is.
+Ray CameraRays::placed(const AtRest& at_rest, float time) const {
+    Ray ray;
+    ray.time = time;
+    ray.origin = view_.eye;
+    ray.direction = vec3(at_rest.direction);
+    if (!lens_ && !view_.motion) return ray;
+    const double distance = view_.focus_distance;
+    dvec3 start = dvec3(view_.eye) + at_rest.on_lens;
+    dvec3 in_focus = dvec3(view_.eye) + distance * at_rest.direction;
+    if (view_.motion) {
+        start = move_to_world(*view_.motion, time, start);
+        in_focus = move_to_world(*view_.motion, time, in_focus);
+    }
+    ray.origin = vec3(start);
+    ray.direction = vec3((in_focus - dvec3(ray.origin)) / distance);
+    return ray;
 }
 
 Ray CameraRays::ray(Pixel pixel, int sample) const {
@@ -97,11 +156,7 @@ Ray CameraRays::ray(Pixel pixel, int sample) const {
         y = (sample / strata_across_ + double{random.number(1)}) / strata_down_;
     }
     // In double, so that the only rounding is the last one.
-    const dvec3 direction = to_corner_ + across_ * (pixel.x + x) + down_ * (pixel.y + y);
-    Ray ray;
-    ray.origin = view_.eye;
-    ray.direction = vec3(direction);
-    return ray;
+    return placed({dvec3(0), to_corner_ + across_ * (pixel.x + x) + down_ * (pixel.y + y)}, 0);
 }
 
 }  // namespace rayshoot

@@ -3,13 +3,12 @@
 #include "accel/core/build_input.h"
 #include "accel/core/ray.h"
 #include "data/scene.h"
+#include "tracer/sampling/pair.h"
 
 #include <cstdint>
 
 /// From a scene's camera and an image size to a View, and from a View to camera rays.
 namespace rayshoot {
-
-struct Pair;  // tracer/sampling: two numbers in [0, 1)
 
 /// Where the rays of an image go through.
 /// corners: the SPD testing rules. The outermost rays are `Camera::angle` apart, so 513 x 513 rays
@@ -83,11 +82,13 @@ private:
     struct AtRest {
         dvec3 on_lens, direction;
     };
+    void open_lens(const Camera& camera);
     Ray placed(const AtRest& at_rest, float time) const;
 
     ImageFormat format_;
     View view_;
     std::optional<Lens> lens_;
+    dvec3 right_, up_;                         ///< orthonormal
     dvec3 to_corner_, across_, down_;          ///< the view's, before they were rounded
     int strata_across_ = 1, strata_down_ = 1;  ///< of a cell; their product is spp
 };

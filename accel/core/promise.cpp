@@ -1,5 +1,6 @@
 #include "accel/core/promise.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -7,26 +8,53 @@ namespace rayshoot::inline RAYSHOOT_ISA {
 namespace {
 
 constexpr float cell_slack = 1e-3f;  // cells: rounding of the caller's ray; not the structure's
+constexpr float lens_slack = 1e-3f;  // share of its radius
+
+/// How far the rounding of a ray's origin, and of moving it to the rest frame, may put it off.
+float origin_rounding(const View& view, const Ray& ray) {
+    return 0x1p-22f * (taxicab(ray.origin) + taxicab(view.eye));
+}
+
+std::string raster_promise(const View& view, const vec3& in_focus, Source source, float slack) {
+    const vec3 in_raster = in_focus - view.to_corner;
+    const float x = dot(in_raster, view.across) / dot(view.across, view.across);
+    const float y = dot(in_raster, view.down) / dot(view.down, view.down);
+    const float cell_x = source.cell_x(), cell_y = source.cell_y();
+    if (x < cell_x - slack || x > cell_x + 1 + slack || y < cell_y - slack ||
+        y > cell_y + 1 + slack)
+        return "a camera ray goes through raster point (" + std::to_string(x) + ", " +
+               std::to_string(y) + "), not through its cell (" + std::to_string(source.cell_x()) +
+               ", " + std::to_string(source.cell_y()) + ")";
+    return {};
+}
+
+bool in_border(const View& view, Source source) {
+    const auto within = [&](int cell, int cells) {
+        return cell >= -view.border && cell < cells + view.border;
+    };
+    return within(source.cell_x(), view.width) && within(source.cell_y(), view.height);
+}
 
 std::string camera_promise(const View& view, const Ray& ray, Source source) {
+    if (!in_border(view, source))
+        return "a camera ray names cell (" + std::to_string(source.cell_x()) + ", " +
+               std::to_string(source.cell_y()) + "), beyond the border of " +
+               std::to_string(view.border) + " cells";
     Ray at_rest = ray;
     if (view.motion) at_rest = into_rest_frame(*view.motion, ray);
     const vec3 from_eye = at_rest.origin - view.eye;
+    const float rounding = origin_rounding(view, ray);
+    if (length(from_eye) > view.lens_radius * (1 + lens_slack) + rounding)
+        return "a camera ray starts " + std::to_string(length(from_eye)) +
+               " from the eye, not on the lens of radius " + std::to_string(view.lens_radius);
     // Where the ray meets the focal plane, as a direction from the eye whose forward part is 1.
     const float depth = dot(from_eye, view.forward), speed = dot(at_rest.direction, view.forward);
     if (!(speed > 0)) return "a camera ray does not look forward";
     const float t = (view.focus_distance - depth) / speed;
     const vec3 in_focus = along(from_eye, t, at_rest.direction) / view.focus_distance;
-    const vec3 in_raster = in_focus - view.to_corner;
-    const float x = dot(in_raster, view.across) / dot(view.across, view.across);
-    const float y = dot(in_raster, view.down) / dot(view.down, view.down);
-    const float cell_x = source.cell_x(), cell_y = source.cell_y();
-    if (x < cell_x - cell_slack || x > cell_x + 1 + cell_slack || y < cell_y - cell_slack ||
-        y > cell_y + 1 + cell_slack)
-        return "a camera ray goes through raster point (" + std::to_string(x) + ", " +
-               std::to_string(y) + "), not through its cell (" + std::to_string(source.cell_x()) +
-               ", " + std::to_string(source.cell_y()) + ")";
-    return {};
+    const float cell = std::min(length(view.across), length(view.down));
+    const float moved = view.motion ? rounding / (view.focus_distance * cell) : 0;
+    return raster_promise(view, in_focus, source, cell_slack + moved);
 }
 
 std::string shadow_promise(std::span<const Light> lights, const Ray& ray, Source source) {

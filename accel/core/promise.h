@@ -8,8 +8,9 @@
 namespace rayshoot::inline RAYSHOOT_ISA {
 
 /// What is wrong with the source of `batch.rays[i]`, for the first i where something is; "" when
-/// all is well, or nothing was promised. Camera: the ray leaves the lens and goes through its
-/// raster cell on the focal plane, within 1e-3 cell. Shadow: the light exists and origin +
+/// all is well, or nothing was promised. Camera: the cell is of the image or its border, the ray
+/// leaves the lens and goes through that cell on the focal plane, within 1e-3 cell; both but for
+/// the rounding of the ray's origin, where the camera moves. Shadow: the light exists and origin +
 /// direction is among its samples with t_max <= 1, or, directional, the direction is opposite to
 /// the light's.
 std::string broken_promise(const BuildInput& input, const RayBatch& batch);

@@ -99,6 +99,12 @@ Ray into_rest_frame(const Motion& motion, const Ray& ray) {
     return rest;
 }
 
+dvec3 move_to_world(const Motion& motion, float time, const dvec3& point) {
+    const double t = shutter_time(time);
+    const dvec3 pivot(motion.pivot);
+    return rotation_at(motion, t).apply(point - pivot) + pivot + translation_at(motion, t);
+}
+
 vec3 rotate_to_world(const Motion& motion, float time, const vec3& direction) {
     return vec3(rotation_at(motion, shutter_time(time)).apply(dvec3(direction)));
 }

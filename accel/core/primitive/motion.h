@@ -23,6 +23,9 @@ struct Motion {
 /// The ray as the rest frame sees it at ray.time; t, t_min and t_max keep their meaning.
 Ray into_rest_frame(const Motion& motion, const Ray& ray);
 
+/// A point of the rest frame as the world sees it at `time`, clamped to the shutter.
+dvec3 move_to_world(const Motion& motion, float time, const dvec3& point);
+
 /// A direction of the rest frame (a normal, say) as the world sees it at `time`.
 vec3 rotate_to_world(const Motion& motion, float time, const vec3& direction);
 
