@@ -1,44 +1,11 @@
 #include "data/nff.h"
 
-#include "data/tokens.h"
+#include "data/emitters.h"
+#include "data/nff_reader.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace rayshoot {
-
-namespace {
-
-class NffReader {
-public:
-    NffReader(std::string_view text, const std::string& name) : tokens_(text, name) {}
-    Scene read(Precision precision) &&;
-
-private:
-    enum class Corners { plain, with_normals };
-
-    void entity(std::string_view keyword);
-    void background();
-    void view();
-    void view_field(std::string_view field);
-    void light();
-    void surface();
-    void sphere();
-    void cone();
-    void polygon(Corners kind);
-    void finish_lights();
-
-    vec3 three(std::string_view use);
-    float at_least_zero(std::string_view use);
-    template <class Add>
-    void add(Add&& add_to_builder);
-
-    Tokens tokens_;
-    GeometryBuilder builder_;
-    Scene scene_;
-    std::vector<std::size_t> uncoloured_;  ///< lights without a colour of their own
-    bool has_view_ = false;
-};
 
 Scene NffReader::read(Precision precision) && {
     for (std::string_view word = tokens_.next(); !word.empty(); word = tokens_.next()) entity(word);
@@ -48,6 +15,7 @@ Scene NffReader::read(Precision precision) && {
             "up x y z angle degrees hither distance resolution x y");
     finish_lights();
     scene_.geometry = std::move(builder_).build(precision);
+    finish_extension();
     return std::move(scene_);
 }
 
@@ -60,11 +28,13 @@ void NffReader::entity(std::string_view keyword) {
     if (keyword == "c") return cone();
     if (keyword == "p") return polygon(Corners::plain);
     if (keyword == "pp") return polygon(Corners::with_normals);
+    if (extension(keyword)) return;
     if (parse_number(keyword))
         tokens_.refuse("a number too many: " + quoted(keyword) +
                        " stands where an entity begins; check the counts above it");
     tokens_.refuse("unknown entity " + quoted(keyword) +
-                   "; NFF has v, b, l, f, s, c, p, pp and # for comments");
+                   "; NFF has v, b, l, f, s, c, p, pp and # for comments, our extension light, "
+                   "surface, move, turn, rest, vmove, vturn, shutter and lens");
 }
 
 void NffReader::background() { scene_.background = three("background: b red green blue"); }
@@ -132,7 +102,7 @@ void NffReader::surface() {
     material.shininess = at_least_zero(use);
     material.transmittance = at_least_zero(use);
     material.refraction_index = at_least_zero(use);
-    scene_.materials.push_back(material);
+    paint_with(material);
 }
 
 /// NFF marks what is seen from the inside only by negative radii; here everything is two-sided.
@@ -140,7 +110,7 @@ void NffReader::sphere() {
     Sphere sphere;
     sphere.centre = three("sphere: s x y z radius");
     sphere.radius = std::abs(tokens_.number("sphere: s x y z radius"));
-    add([&] { builder_.add_sphere(sphere); });
+    add([&] { builder_.add_sphere(sphere, motion()); });
 }
 
 void NffReader::cone() {
@@ -155,7 +125,8 @@ void NffReader::cone() {
         tokens_.refuse("one radius of this cone is negative; both may be, or none");
     frustum.base_radius = std::abs(frustum.base_radius);
     frustum.apex_radius = std::abs(frustum.apex_radius);
-    add([&] { builder_.add_frustum(frustum); });
+    if (emitting()) tokens_.refuse("a cone cannot emit light; make it of triangles");
+    add([&] { builder_.add_frustum(frustum, motion()); });
 }
 
 void NffReader::polygon(Corners kind) {
@@ -169,23 +140,9 @@ void NffReader::polygon(Corners kind) {
         if (kind == Corners::with_normals)
             normals.push_back(three("normal at a corner of a patch: x y z"));
     }
-    add([&] { builder_.add_polygon(corners, normals); });
-}
-
-template <class Add>
-void NffReader::add(Add&& add_to_builder) {
-    try {
-        add_to_builder();
-    } catch (const std::invalid_argument& error) {
-        tokens_.refuse(error.what());
-    }
-    if (scene_.materials.empty()) scene_.materials.emplace_back();
-    scene_.material_of.push_back(static_cast<std::uint32_t>(scene_.materials.size() - 1));
-}
-
-vec3 NffReader::three(std::string_view use) {
-    const float x = tokens_.number(use), y = tokens_.number(use), z = tokens_.number(use);
-    return {x, y, z};
+    if (emitting() && count > 3 && !is_rectangle(corners))
+        tokens_.refuse("a polygon that emits light must be a rectangle; cut it into triangles");
+    add([&] { builder_.add_polygon(corners, normals, motion()); });
 }
 
 float NffReader::at_least_zero(std::string_view use) {
@@ -194,10 +151,9 @@ float NffReader::at_least_zero(std::string_view use) {
     return value;
 }
 
-}  // namespace
-
-Scene read_nff(std::string_view text, const std::string& name, Precision precision) {
-    return NffReader(text, name).read(precision);
+Scene read_nff(std::string_view text, const std::string& name, Precision precision,
+               const Frame& frame) {
+    return NffReader(text, name, frame).read(precision);
 }
 
 }  // namespace rayshoot

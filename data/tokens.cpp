@@ -59,12 +59,25 @@ std::string quoted(std::string_view word) {
     return text;
 }
 
-Tokens::Tokens(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+Tokens::Tokens(std::string_view text, std::string name, Lexis lexis)
+    : text_(text), name_(std::move(name)), lexis_(lexis) {}
+
+bool Tokens::ends_word(char c) const {
+    return blank(c) || lexis_.comments.find(c) != std::string_view::npos ||
+           lexis_.alone.find(c) != std::string_view::npos;
+}
+
+std::size_t Tokens::word_end(std::size_t begin) const {
+    std::size_t end = begin;
+    while (end < text_.size() && !ends_word(text_[end])) ++end;
+    const bool alone = end == begin && end < text_.size();  // blanks and comments were skipped
+    return alone ? end + 1 : end;
+}
 
 void Tokens::skip_blanks() {
     for (; position_ < text_.size(); ++position_) {
         const char c = text_[position_];
-        if (c == '#') {
+        if (lexis_.comments.find(c) != std::string_view::npos) {
             position_ = text_.find('\n', position_);
             if (position_ == std::string_view::npos) position_ = text_.size();
             if (position_ == text_.size()) return;
@@ -78,17 +91,14 @@ void Tokens::skip_blanks() {
 std::string_view Tokens::next() {
     skip_blanks();
     const std::size_t begin = position_;
-    while (position_ < text_.size() && !blank(text_[position_]) && text_[position_] != '#')
-        ++position_;
+    position_ = word_end(begin);
     word_line_ = line_;
     return text_.substr(begin, position_ - begin);
 }
 
 std::string_view Tokens::peek() {
     skip_blanks();
-    std::size_t end = position_;
-    while (end < text_.size() && !blank(text_[end]) && text_[end] != '#') ++end;
-    return text_.substr(position_, end - position_);
+    return text_.substr(position_, word_end(position_) - position_);
 }
 
 void Tokens::skip_line() {
@@ -102,6 +112,11 @@ float Tokens::number(std::string_view use) {
     const auto value = parse_number(word);
     if (!value) refuse_word(word, use);
     return *value;
+}
+
+vec3 Tokens::three(std::string_view use) {
+    const float x = number(use), y = number(use), z = number(use);
+    return {x, y, z};
 }
 
 std::int64_t Tokens::integer(std::string_view use, std::int64_t lowest, std::int64_t highest) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "accel/core/vec.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,10 +17,16 @@ std::optional<std::int64_t> parse_integer(std::string_view word);
 /// For errors: in quotes, shortened where it is long.
 std::string quoted(std::string_view word);
 
+/// Which characters are more than letters of words.
+struct Lexis {
+    std::string_view comments = "#";  ///< each begins a comment up to the end of the line
+    std::string_view alone = "";      ///< each is a word by itself
+};
+
 class Tokens {
 public:
-    /// `name`: the file's, for errors. Comments run from '#' to the end of the line.
-    Tokens(std::string_view text, std::string name);
+    /// `name`: the file's, for errors.
+    Tokens(std::string_view text, std::string name, Lexis lexis = {});
 
     /// The next word, or an empty one at the end of the file.
     std::string_view next();
@@ -28,6 +36,7 @@ public:
 
     /// The next word as a number; `use` says in an error what it should have been.
     float number(std::string_view use);
+    vec3 three(std::string_view use);
     std::int64_t integer(std::string_view use, std::int64_t lowest, std::int64_t highest);
 
     /// Bytes that have not been read.
@@ -36,11 +45,14 @@ public:
     [[noreturn]] void refuse(const std::string& message) const;
 
 private:
+    bool ends_word(char c) const;
+    std::size_t word_end(std::size_t begin) const;
     void skip_blanks();
     [[noreturn]] void refuse_word(std::string_view word, std::string_view use) const;
 
     std::string_view text_;
     std::string name_;
+    Lexis lexis_;
     std::size_t position_ = 0;
     std::size_t line_ = 1;       ///< at position_
     std::size_t word_line_ = 1;  ///< of the last word

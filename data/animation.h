@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+
+/// When in an animation a scene is loaded.
+namespace rayshoot {
+
+/// Which picture of an animation, and how long it is exposed.
+struct Frame {
+    int number = 0;                 ///< 0 to of - 1
+    int of = 0;                     ///< frames of the whole animation; 0: as the file says
+    std::optional<double> shutter;  ///< share of a frame's time, 0 to 1; none: as the file says
+};
+inline constexpr int most_frames = 1'000'000;
+
+/// From the shutter's opening to its closing, in the file's own time. Readers evaluate motions at
+/// both; they are times 0 and 1 of the scene's Motions and rays.
+struct Exposure {
+    double open = 0, close = 1;
+
+    double middle() const { return 0.5 * (open + close); }
+};
+
+}  // namespace rayshoot
