@@ -71,7 +71,7 @@ vec3 ambient(const Scene& scene, const Material& material) {
     return material.colour * (material.diffuse * std::sqrt(lights) / (2 * lights));
 }
 
-std::optional<LightSample> light_sample(const Shade& shade, const Light& light) {
+std::optional<Illumination> illumination(const Shade& shade, const Light& light) {
     const bool directional = light.kind == LightKind::directional;
     const vec3 to_light =
         directional ? -light.direction : vec3(dvec3(light.position) - shade.point.position);
@@ -80,7 +80,7 @@ std::optional<LightSample> light_sample(const Shade& shade, const Light& light) 
     const float cosine = dot(shade.normal, unit);
     if (!(cosine > 0)) return std::nullopt;
 
-    LightSample sample;
+    Illumination sample;
     sample.ray = spawned(shade, to_light, directional ? infinity : 1.0f, distance);
     if (!directional) {
         // From where the ray really starts, so that it ends in the light; t_max stays below 1.

@@ -35,13 +35,13 @@ Shade make_shade(const Scene& scene, Rules rules, const Ray& ray, const Hit& hit
 vec3 ambient(const Scene& scene, const Material& material);
 
 /// A shadow ray and what arrives along it when nothing is in between.
-struct LightSample {
+struct Illumination {
     Ray ray;
     vec3 radiance;  ///< towards the eye
 };
 
 /// Empty when the normal points away from the light. Phong 1975: diffuse and highlight, no falloff.
-std::optional<LightSample> light_sample(const Shade& shade, const Light& light);
+std::optional<Illumination> illumination(const Shade& shade, const Light& light);
 
 struct SpawnedRay {
     Ray ray;

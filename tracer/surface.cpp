@@ -20,13 +20,22 @@ struct Located {
     double test_error;  ///< of the primitive's test near `position`, without that of its rounding
 };
 
-/// The barycentrics name a point of the plane, however wrong they may be within it.
-Located on_triangle(const Triangle& triangle, const Hit& hit) {
+double triangle_error(const Triangle& triangle) {
     const dvec3 a(triangle.a), e1 = dvec3(triangle.b) - a, e2 = dvec3(triangle.c) - a;
     const double first = taxicab(e1), second = taxicab(e2);
     const double area = length(cross(e1, e2));
-    const double error = area > 0 ? first * second * std::max(first, second) / area : 0;
-    return {a + e1 * double{hit.u} + e2 * double{hit.v}, triangle_factor * error};
+    return area > 0 ? triangle_factor * (first * second * std::max(first, second) / area) : 0;
+}
+
+double frustum_error(const Frustum& frustum) {
+    const double radius = std::max(double{frustum.base_radius}, double{frustum.apex_radius});
+    return frustum_factor * (taxicab(dvec3(frustum.apex) - dvec3(frustum.base)) + radius);
+}
+
+/// The barycentrics name a point of the plane, however wrong they may be within it.
+Located on_triangle(const Triangle& triangle, const Hit& hit) {
+    const dvec3 a(triangle.a), e1 = dvec3(triangle.b) - a, e2 = dvec3(triangle.c) - a;
+    return {a + e1 * double{hit.u} + e2 * double{hit.v}, triangle_error(triangle)};
 }
 
 Located on_sphere(const Sphere& sphere, const dvec3& reported) {
@@ -42,9 +51,7 @@ Located on_sphere(const Sphere& sphere, const dvec3& reported) {
 Located on_frustum(const Frustum& frustum, const dvec3& reported) {
     const dvec3 base(frustum.base), axis = dvec3(frustum.apex) - base;
     const double axis_squared = dot(axis, axis);
-    const double extent =
-        taxicab(axis) + std::max(double{frustum.base_radius}, double{frustum.apex_radius});
-    if (!(axis_squared > 0)) return {reported, frustum_factor * extent};
+    if (!(axis_squared > 0)) return {reported, frustum_error(frustum)};
     const double height = dot(reported - base, axis) / axis_squared;
     const dvec3 on_axis = base + axis * height;
     const dvec3 outward = reported - on_axis;
@@ -52,7 +59,7 @@ Located on_frustum(const Frustum& frustum, const dvec3& reported) {
     const double radius =
         frustum.base_radius + (double{frustum.apex_radius} - frustum.base_radius) * height;
     return {distance > 0 ? on_axis + outward * (radius / distance) : reported,
-            frustum_factor * extent};
+            frustum_error(frustum)};
 }
 
 Located on_polygon(const Polygon& polygon, const dvec3& reported) {
@@ -113,6 +120,17 @@ SurfacePoint surface_point(const Geometry& geometry, const Ray& ray, const Hit& 
     const double moved = taxicab(position) + taxicab(found.position) + motion_size(motion);
     return {position, normals.geometric, normals.shading,
             found.test_error + travel_error(ray, position) + motion_factor * moved};
+}
+
+double resting_error(const Geometry& geometry, std::uint32_t primitive) {
+    const PrimitiveRef& ref = geometry.ref(primitive);
+    double error = 0;
+    if (ref.kind == PrimitiveKind::triangle) error = triangle_error(geometry.triangle(ref.index));
+    if (ref.kind == PrimitiveKind::sphere)
+        error = sphere_factor * double{geometry.sphere(ref.index).radius};
+    if (ref.kind == PrimitiveKind::frustum) error = frustum_error(geometry.frustum(ref.index));
+    if (ref.motion == no_motion) return error;
+    return error + motion_factor * motion_size(geometry.motion(ref.motion));
 }
 
 vec3 spawn_origin(const SurfacePoint& point, const vec3& direction) {

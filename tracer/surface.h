@@ -20,6 +20,10 @@ struct SurfacePoint {
 /// derives both).
 SurfacePoint surface_point(const Geometry& geometry, const Ray& ray, const Hit& hit);
 
+/// The part of that error that is the primitive's own, wherever the point, for rays that start
+/// beside it: without that of distances and of the point's rounding.
+double resting_error(const Geometry& geometry, std::uint32_t primitive);
+
 /// A float point on the side of the surface that `direction` leaves to, so far off it that no test
 /// finds the surface at t > 0 again.
 vec3 spawn_origin(const SurfacePoint& point, const vec3& direction);

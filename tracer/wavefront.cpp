@@ -103,7 +103,7 @@ void Wavefront::shade(const Path& path, const Ray& ray, const Hit& hit, int dept
     const Shade shade = make_shade(scene_, settings_.rules, ray, hit);
     pixel += ambient(scene_, *shade.material) * path.weight;
     for (std::uint32_t light = 0; light < scene_.lights.size(); ++light) {
-        const auto sample = light_sample(shade, scene_.lights[light]);
+        const auto sample = illumination(shade, scene_.lights[light]);
         if (!sample) continue;
         Shadows& shadows = shadows_[light];
         shadows.rays.push_back(sample->ray);
