@@ -25,11 +25,12 @@ inline constexpr std::array<std::string_view, 4> reconstruction_names{"importanc
                                                                       "splat", "splat_undivided"};
 /// By its name; throws std::invalid_argument, listing the names, for another one.
 Reconstruction reconstruction(std::string_view name);
+std::string_view name(Reconstruction reconstruction);
 
 /// One traced camera sample.
 struct FilmSample {
     Pixel pixel;         ///< importance, weighted: that it is for; splat: the cell it is in
-    float x = 0, y = 0;  ///< splat: where in the cell, from its top left corner, in [0, 1]
+    float x = 0, y = 0;  ///< splat: where in the cell, from its top left corner, in [0, 1)
     vec3 radiance{0};
     float weight = 1;  ///< importance, weighted: its Filter::Offset's; splat: 1 / samples in cell
 };
