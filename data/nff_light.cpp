@@ -148,6 +148,9 @@ NffLight read_light(Tokens& tokens) {
     NffLight made{.light = kind.read(tokens)};
     made.light.kind = kind.kind;
     made.light.falloff = Falloff::inverse_square;
+    if (!made.light.samples.empty() &&
+        !(finite(made.light.samples.lo) && finite(made.light.samples.hi)))
+        tokens.refuse("the light is too large for single precision; scale the scene down");
     if (!kind.has_area) return made;
     Fields given(tokens, "light", fields);
     for (std::string_view field = given.next(); !field.empty(); field = given.next()) {

@@ -2,6 +2,7 @@
 
 #include "data/animation.h"
 #include "data/movement.h"
+#include "data/nff_shapes.h"
 #include "data/scene.h"
 #include "data/tokens.h"
 
@@ -19,17 +20,13 @@ public:
     Scene read(Precision precision) &&;
 
 private:
-    enum class Corners { plain, with_normals };
-
     void entity(std::string_view keyword);
     void background();
     void view();
-    void view_field(std::string_view field);
     void light();
-    void surface();
     void sphere();
     void cone();
-    void polygon(Corners kind);
+    void polygon(const Outline& outline);
     void finish_lights();
 
     /// Whether the keyword is one of the extension's, which then has been read.
@@ -44,8 +41,6 @@ private:
     std::uint32_t motion();
     Exposure exposure();
 
-    vec3 three(std::string_view use) { return tokens_.three(use); }
-    float at_least_zero(std::string_view use);
     bool emitting() const;
     void paint_with(const Material& material);
     template <class Add>
