@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 /// When in an animation a scene is loaded.
 namespace rayshoot {
@@ -12,6 +14,16 @@ struct Frame {
     std::optional<double> shutter;  ///< share of a frame's time, 0 to 1; none: as the file says
 };
 inline constexpr int most_frames = 1'000'000;
+
+/// The number of frames that `frame` is one of, `usual` where it does not say. Throws
+/// std::invalid_argument where there is no such frame.
+inline int frames_of(const Frame& frame, int usual) {
+    const int frames = frame.of > 0 ? frame.of : usual;
+    if (frame.number < frames) return frames;
+    throw std::invalid_argument(
+        "frame=" + std::to_string(frame.number) + ": the animation has " + std::to_string(frames) +
+        (frames == 1 ? " frame" : " frames, numbered from 0") + "; frames=N divides it otherwise");
+}
 
 /// From the shutter's opening to its closing, in the file's own time. Readers evaluate motions at
 /// both; they are times 0 and 1 of the scene's Motions and rays.

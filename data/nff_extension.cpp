@@ -97,7 +97,7 @@ void NffReader::rest() {
 
 Exposure NffReader::exposure() {
     exposed_ = true;
-    const double frames = frame_.of > 0 ? frame_.of : 1;
+    const double frames = frames_of(frame_, 1);
     const double close = frame_.shutter ? of_frame_.open + *frame_.shutter : of_frame_.close;
     return {(frame_.number + of_frame_.open) / frames, (frame_.number + close) / frames};
 }

@@ -75,14 +75,15 @@ struct Scene {
     Camera camera;
     vec3 background{0};
     std::optional<Hierarchy> hierarchy;
+    std::vector<std::string> notes;  ///< what the source asks for and this scene leaves out
 
     const Material& material(std::uint32_t primitive) const {
         return materials[material_of[primitive]];
     }
 };
 
-/// SHA-256 (hex) of everything above but the name: equal scenes have equal digests on every
-/// machine.
+/// SHA-256 (hex) of everything above but the name and the notes: equal scenes have equal digests on
+/// every machine.
 std::string digest(const Scene& scene);
 
 }  // namespace rayshoot

@@ -1,11 +1,9 @@
 #include "data/scenes.h"
 
-#include "data/file.h"
+#include "data/animation.h"
 #include "data/generators/generators.h"
-#include "data/mesh.h"
 #include "data/mesh_catalogue.h"
-#include "data/nff.h"
-#include "data/obj.h"
+#include "data/scene_file.h"
 #include "data/scene_options.h"
 #include "data/tokens.h"
 
@@ -23,13 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> formats{".nff", ".obj", ".ply", ".off", ".stl"};
-constexpr int most_levels = 8;  // of subdivision; the triangle bound of subdivide() ends it sooner
-
-bool known_format(const fs::path& path) {
-    return std::ranges::find(formats, format_of(path)) != formats.end();
-}
-
 bool present(const fs::path& path) {
     std::error_code error;
     return fs::exists(path, error);
@@ -40,43 +31,6 @@ fs::path resolved(const fs::path& path) {
     if (path.is_absolute() || path.empty() || present(path)) return path;
     const auto collection = scene_collection();
     return collection && present(*collection / path) ? *collection / path : path;
-}
-
-Precision precision_of(const SceneOptions& options) {
-    const std::string given = options.text("precision", "default");
-    if (given == "watertight") return Precision::watertight;
-    if (given != "default")
-        throw std::invalid_argument("precision=" + given + " is not one of default, watertight");
-    return Precision::standard;
-}
-
-/// Material libraries lie beside their OBJ file; one that is not there is left out.
-MaterialLibrary libraries_beside(const fs::path& obj) {
-    return [folder = obj.parent_path()](const std::string& name) -> std::optional<std::string> {
-        std::error_code error;
-        if (!fs::is_regular_file(folder / name, error)) return std::nullopt;
-        return read_file(folder / name);
-    };
-}
-
-Mesh load_mesh(const fs::path& path, const std::string& name) {
-    const std::string text = read_file(path);
-    const std::string format = format_of(path);
-    return format == ".obj" ? read_obj(text, name, libraries_beside(path))
-                            : read_mesh(text, format, name);
-}
-
-/// `name`: the file's, as errors show it.
-Scene load_file(const fs::path& path, const std::string& name, const SceneOptions& options) {
-    const Precision precision = precision_of(options);
-    const SceneOptions rest = options.without("precision");
-    if (format_of(path) == ".nff") {
-        rest.require_known({});
-        return read_nff(read_file(path), name, precision);
-    }
-    rest.require_known({"loop"});
-    const int levels = rest.integer("loop", 0, 0, most_levels);
-    return mesh_scene(subdivide(load_mesh(path, name), levels, name), precision, name);
 }
 
 Scene load_catalogued(const MeshEntry& mesh, const SceneOptions& options) {
@@ -99,7 +53,7 @@ Scene load_catalogued(const MeshEntry& mesh, const SceneOptions& options) {
     for (const GeneratorInfo& generator : generators()) known += std::string(generator.name) + ", ";
     for (const MeshEntry& mesh : mesh_catalogue()) known += std::string(mesh.name) + ", ";
     throw std::invalid_argument(quoted(name) + " is no scene; there are " + known +
-                                "and files that end in .nff, .obj, .ply, .off or .stl "
+                                "and files that end in .nff, .aff, .obj, .ply, .off or .stl "
                                 "(also .xz or .gz)");
 }
 
@@ -131,8 +85,9 @@ void append_collection(std::vector<SceneInfo>& scenes) {
             names.push_back(file->path().lexically_relative(*folder).generic_string());
     std::ranges::sort(names);
     for (const std::string& name : names)
-        scenes.push_back({name, format_of(name) == ".nff" ? "" : "loop=0..8 (0)",
-                          "a file below $RAYSHOOT_SCENES", true, ""});
+        scenes.push_back(
+            {name, is_animation(name) ? "frame=0.., frames=1.., shutter=0..1" : "loop=0..8 (0)",
+             "a file below $RAYSHOOT_SCENES", true, ""});
 }
 
 }  // namespace
@@ -152,13 +107,28 @@ Scene load_scene(std::string_view scene) {
         const fs::path path = resolved(name);
         if (!path.empty() && !present(path) && !known_format(path)) refuse_unknown(name);
         if (present(path) && fs::is_regular_file(path) && !known_format(path))
-            throw std::invalid_argument(std::string(name) +
-                                        ": its name does not end in .nff, .obj, .ply, .off or "
-                                        ".stl (also .xz or .gz); rename or convert it");
+            throw std::invalid_argument(
+                std::string(name) +
+                ": its name does not end in .nff, .aff, .obj, .ply, .off or "
+                ".stl (also .xz or .gz); rename or convert it");
         result = load_file(path, std::string(name), options);
     }
     result.name = scene;
     return result;
+}
+
+Scene load_frame(std::string_view scene, int frame, int frames) {
+    if (!(0 <= frame && frame < frames && frames <= most_frames))
+        throw std::invalid_argument(
+            "frame " + std::to_string(frame) + " of " + std::to_string(frames) +
+            ": frames are numbered from 0, up to " + std::to_string(most_frames) + " of them");
+    const auto [name, options] = divided(scene);
+    if (is_generator(name) || find_mesh(name) || !is_animation(resolved(name)))
+        return load_scene(scene);
+    const std::string moment =
+        "frame=" + std::to_string(frame) + ",frames=" + std::to_string(frames);
+    return load_scene(std::string(name) + ":" + moment + (options.empty() ? "" : ",") +
+                      std::string(options));
 }
 
 std::vector<SceneInfo> list_scenes() {

@@ -12,6 +12,8 @@
 ///     mesh/bunny  mesh/spot:loop=2                                a mesh of the catalogue
 ///     path/to/scene.nff.xz   model.ply:loop=1,precision=watertight   a file
 ///
+///     car.aff:frame=120          swing.nff:frame=3,frames=24,shutter=0.5      a moment of it
+///
 /// Every scene has the option precision=default|watertight. A relative path that does not exist is
 /// looked for below $RAYSHOOT_SCENES as well.
 namespace rayshoot {
@@ -19,6 +21,11 @@ namespace rayshoot {
 /// Throws std::invalid_argument, saying what exists or what to do, when there is no such scene or
 /// its file is unsound. Not to be called from two threads at once (see read_mesh).
 Scene load_scene(std::string_view scene);
+
+/// The scene at frame `frame` of `frames`, 0 first: of an animation (.nff, .aff) by its options,
+/// else the scene itself. Throws std::invalid_argument as load_scene does, where `scene` has a
+/// frame already, and unless 0 <= frame < frames.
+Scene load_frame(std::string_view scene, int frame, int frames);
 
 struct SceneInfo {
     std::string name;     ///< what load_scene takes

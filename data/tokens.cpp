@@ -135,7 +135,7 @@ void Tokens::refuse_word(std::string_view word, std::string_view use) const {
 }
 
 void Tokens::refuse(const std::string& message) const {
-    throw std::invalid_argument(name_ + ":" + std::to_string(word_line_) + ": " + message);
+    throw std::invalid_argument(where() + ": " + message);
 }
 
 }  // namespace rayshoot

@@ -41,6 +41,8 @@ public:
 
     /// Bytes that have not been read.
     std::size_t remaining() const { return text_.size() - position_; }
+    /// "name:line", line being that of the last word.
+    std::string where() const { return name_ + ":" + std::to_string(word_line_); }
     /// Throws std::invalid_argument: "name:line: message", line being that of the last word.
     [[noreturn]] void refuse(const std::string& message) const;
 
