@@ -43,6 +43,16 @@ std::string digest(const Image& image);
 /// extension or an empty image, std::runtime_error, naming the file, when it cannot be written.
 void write_image(const Image& image, const std::filesystem::path& path);
 
+/// What read_image takes: 800 MB of floats.
+inline constexpr std::size_t largest_pixel_count = std::size_t{1} << 26;
+
+/// An image from a file, linear RGB. .png: 8 bits a channel, colours, greys or a palette, decoded
+/// from sRGB, so that write_image gives the same bytes again; neither 16 bits nor transparency.
+/// .exr: the channels R, G and B of one flat part, whatever else there is. Throws
+/// std::invalid_argument, naming the file and the remedy, for another extension, a file that is not
+/// there, broken off or of another type, and for more than largest_pixel_count pixels.
+Image read_image(const std::filesystem::path& path);
+
 /// Throws what write_image would throw for this path, as far as that shows before rendering.
 void require_writable(const std::filesystem::path& path);
 

@@ -1,5 +1,7 @@
 #include "bench/commands/arguments.h"
 
+#include "tracer/image.h"
+
 #include <nlohmann/json.hpp>
 
 #include <charconv>

@@ -20,8 +20,6 @@ struct Size {
 /// "640x480".
 Size parse_size(std::string_view text);
 
-inline constexpr std::size_t largest_pixel_count = std::size_t{1} << 26;  ///< a float image: 800 MB
-
 /// How a scene is rendered and counted unless told otherwise: NFF and SPD scenes by the SPD rules
 /// (513 x 513 rays through pixel corners), others 512 x 512. `size`: "" for that default.
 ImageFormat image_format(const Scene& scene, const std::string& size, int spp);
