@@ -25,6 +25,8 @@ int execute(const Catalogue& catalogue, int argc, const char* const* argv, std::
     add_count(app, invocation);
     add_check(app, invocation);
     add_render(app, invocation);
+    add_heatmap(app, invocation);
+    add_difference(app, invocation);
     add_rays(app, invocation);
     add_bench(app, invocation);
     add_limits(app, invocation);

@@ -11,7 +11,7 @@ inline constexpr int exit_ok = 0;
 inline constexpr int exit_differences = 1;  ///< answers differ, or a row failed the gate
 inline constexpr int exit_bad_input = 2;    ///< usage, input or output
 
-/// `rayshoot list|count|check|render|rays|bench|limits|report|seed-question`. Never throws.
+/// One call of the program, subcommand and all; the README lists them. Never throws.
 int run(const Catalogue& catalogue, int argc, const char* const* argv);
 
 /// The same, onto given streams.

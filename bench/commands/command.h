@@ -23,6 +23,8 @@ void add_list(CLI::App& app, Invocation& invocation);
 void add_count(CLI::App& app, Invocation& invocation);
 void add_check(CLI::App& app, Invocation& invocation);
 void add_render(CLI::App& app, Invocation& invocation);
+void add_heatmap(CLI::App& app, Invocation& invocation);
+void add_difference(CLI::App& app, Invocation& invocation);
 void add_rays(CLI::App& app, Invocation& invocation);
 void add_bench(CLI::App& app, Invocation& invocation);
 void add_limits(CLI::App& app, Invocation& invocation);

@@ -26,6 +26,7 @@ constexpr std::array<std::string_view, ray_kinds> ray_kind_names{"camera", "shad
 struct CountArguments {
     std::string scene, structure, rules = "spd-readme", size, rays_file;
     int spp = 1;
+    std::size_t batch = default_batch;
     bool json = false;
 };
 
@@ -33,6 +34,12 @@ Rules parse_rules(const std::string& name) {
     if (name == "spd-readme") return Rules::spd_readme;
     if (name == "havran") return Rules::havran;
     throw std::invalid_argument("unknown rules \"" + name + "\"; there are spd-readme and havran");
+}
+
+void require_batch(std::size_t batch) {
+    if (batch >= 1 && batch <= max_batch) return;
+    throw std::invalid_argument("a batch has 1 to " + std::to_string(max_batch) + " rays, not " +
+                                std::to_string(batch));
 }
 
 /// What a session counted, by ray kind. A yardstick cannot count, but its answers can be counted:
@@ -68,26 +75,27 @@ struct Counted {
     double seconds = 0;
 };
 
-Counted count_image(const Scene& scene, const Accel& accel, const ImageFormat& format,
-                    Rules rules) {
+Counted count_image(const Scene& scene, const Accel& accel, const ImageFormat& format, Rules rules,
+                    std::size_t batch) {
     ProgressLine line;
     RenderSettings settings;
     settings.format = format;
     settings.wavefront.rules = rules;
+    settings.wavefront.batch = batch;
     settings.mode = Mode::counting;
     settings.progress = [&](double share, double left) { line.show(share, left, "count"); };
     RenderResult result = render(scene, accel, settings);
     return {std::move(result.session), result.counts, result.seconds};
 }
 
-Counted count_file(const RayStream& stream, const Accel& accel) {
+Counted count_file(const RayStream& stream, const Accel& accel, std::size_t batch_size) {
     Counted counted;
     const Stopwatch watch;
     counted.session = accel.open(Mode::counting);
-    std::vector<Hit> hits(default_batch);
-    std::vector<std::uint8_t> occluded(default_batch);
-    for (std::size_t first = 0; first < stream.size(); first += default_batch) {
-        const RayBatch batch = stream.batch(first, default_batch);
+    std::vector<Hit> hits(batch_size);
+    std::vector<std::uint8_t> occluded(batch_size);
+    for (std::size_t first = 0; first < stream.size(); first += batch_size) {
+        const RayBatch batch = stream.batch(first, batch_size);
         if (stream.question == Query::closest) counted.session->closest(batch, hits);
         else counted.session->occluded(batch, occluded);
     }
@@ -118,6 +126,7 @@ std::string remarks(const Json& document) {
 
 int count(const CountArguments& arguments, const Invocation& invocation) {
     const Rules rules = parse_rules(arguments.rules);
+    require_batch(arguments.batch);
     require_spec(invocation.catalogue, arguments.structure);
     const bool from_file = !arguments.rays_file.empty();
     const RayStream stream = from_file ? read_ray_file(arguments.rays_file) : RayStream{};
@@ -130,8 +139,8 @@ int count(const CountArguments& arguments, const Invocation& invocation) {
     const Stopwatch watch;
     const auto accel = build(invocation.catalogue, arguments.structure, input);
     const double build_seconds = watch.seconds();
-    const Counted counted =
-        from_file ? count_file(stream, *accel) : count_image(scene, *accel, format, rules);
+    const Counted counted = from_file ? count_file(stream, *accel, arguments.batch)
+                                      : count_image(scene, *accel, format, rules, arguments.batch);
     Json document;
     document["schema"] = schema_version;
     document["scene"] = scene.name;
@@ -141,6 +150,7 @@ int count(const CountArguments& arguments, const Invocation& invocation) {
     document["width"] = format.width;
     document["height"] = format.height;
     document["spp"] = format.spp;
+    document["batch"] = arguments.batch;
     document["rays"] =
         counts_to_json(*counted.session, counted.answered ? &*counted.answered : nullptr);
     document["totally_reflected"] =
@@ -164,6 +174,7 @@ void add_count(CLI::App& app, Invocation& invocation) {
     command->add_option("--rules", arguments->rules, "spd-readme (default) or havran");
     command->add_option("--size", arguments->size, "WxH; default 513x513 (SPD, NFF) or 512x512");
     command->add_option("--spp", arguments->spp, "Camera rays per pixel");
+    command->add_option("--batch", arguments->batch, "Most rays in one call (1024)");
     command->add_option("--rays-file", arguments->rays_file, "Count on the rays of this file");
     command->add_flag("--json", arguments->json, "One JSON document on standard output");
     command->callback([arguments, &invocation] {

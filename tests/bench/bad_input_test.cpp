@@ -16,6 +16,8 @@ struct BadInput {
 
 const std::vector<std::string> check{"check", "--structure", "bvh", "--scene", "soup:count=9"};
 const std::vector<std::string> render{"render", "--structure", "bvh", "--scene", "soup:count=9"};
+const std::vector<std::string> heatmap{"heatmap", "--scene", "soup:count=9", "--size",
+                                       "4x4",     "--out",   "OUT"};
 const std::vector<std::string> bench{"bench", "--structure", "bvh", "--scene", "soup:count=9"};
 
 std::vector<std::string> with(std::vector<std::string> base, const std::vector<std::string>& more) {
@@ -50,6 +52,14 @@ std::vector<BadInput> table() {
         {{"count", "--scene", "soup:count=9", "--structure", "bvh", "--rules", "mine"}, "mine"},
         {{"count", "--scene", "soup:count=9", "--structure", "bvh", "--rays-file", "no.rays"},
          "no.rays"},
+        {{"count", "--scene", "soup:count=9", "--structure", "bvh", "--batch", "0"}, "batch"},
+        {{"count", "--scene", "soup:count=9", "--structure", "bvh", "--batch", "5000"}, "4096"},
+        {with(heatmap, {"--structure", "squid"}), "squid"},
+        {with(heatmap, {}), "--structure"},
+        {with(heatmap, {"--structure", "bvh", "--quantity", "love"}), "love"},
+        {with(heatmap, {"--structure", "bvh", "--scale", "cubic"}), "cubic"},
+        {with(heatmap, {"--structure", "bvh", "--top", "-1"}), "--top"},
+        {with(heatmap, {"--structure", "bvh", "--repetitions", "0"}), "--repetitions"},
         {with(check, {"--rays", "0"}), "0"},
         {with(check, {"--rays", "-5"}), "-5"},
         {with(check, {"--rays", "99999999999"}), "99999999999"},
