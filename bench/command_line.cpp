@@ -34,6 +34,7 @@ int execute(const Catalogue& catalogue, int argc, const char* const* argv, std::
     add_report(app, invocation);
     add_replay(app, invocation);
     add_seed_question(app, invocation);
+    add_textbook(app, invocation);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& wrong) {
