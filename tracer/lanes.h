@@ -6,18 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "tracer/wavefront.h"
+#include "tracer/tile_tracer.h"
 
 /// Sessions belong to lanes of work, not to threads: a worker that waits may steal another tile.
 namespace rayshoot {
 
 struct Lane {
     std::unique_ptr<Session> session;
-    Wavefront wavefront;
-
-    Lane(const Scene& scene, const CameraRays& camera, const WavefrontSettings& settings,
-         std::unique_ptr<Session> opened, Image& image)
-        : session(std::move(opened)), wavefront(scene, camera, settings, *session, image) {}
+    TileTracer tracer;
 };
 
 /// A free list: last in, first out, so that warm caches are used first.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tracer/camera_samples.h"
+#include "tracer/integrator/transport.h"
 #include "tracer/random.h"
 #include "tracer/surface.h"
 #include "tracer/tiles.h"
@@ -74,6 +76,7 @@ Ray diffuse_bounce(const Scene& scene, const Ray& ray, const Hit& hit,
     Ray bounce;
     bounce.direction = dot(direction, direction) > 0x1p-20f ? normalised(direction) : normal;
     bounce.origin = spawn_origin(point, bounce.direction);
+    bounce.time = ray.time;
     return bounce;
 }
 
@@ -86,24 +89,42 @@ Ray chord(const Box& bounds, const RandomSequence& random) {
     return ray;
 }
 
+/// What a tile's camera rays spawn, without antialiasing filters, lens settings of one's own or a
+/// film.
+void trace_camera_rays(const Scene& scene, const ImageFormat& format, Session& session) {
+    TransportSettings transport;
+    transport.depth = 2;  // the second level is only recorded
+    const CameraRays camera(scene.camera, format);
+    const Filter box;
+    const CameraSamples camera_samples(camera, box, Reconstruction::importance,
+                                       shutter_of(scene));
+    const Sampler sampler({.spp = format.spp, .seed = format.seed});
+    const auto integrator = make_integrator(scene, transport);
+    Wavefront wavefront(*integrator, session, scene.lights.size(), default_batch);
+    const Tiles tiles(format, default_batch);
+    std::vector<Shot> shots;
+    for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+        shots.clear();
+        for (const Pixel pixel : tiles.tile(tile)) {
+            for (std::uint32_t sample = 0; sample < static_cast<std::uint32_t>(format.spp);
+                 ++sample)
+                shots.push_back(camera_samples.sample(sampler, pixel, sample).shot);
+        }
+        wavefront.trace(shots);
+    }
+}
+
 }  // namespace
 
 RecordedStreams record_streams(const Scene& scene, const Accel& accel, const ImageFormat& format) {
-    const CameraRays camera(scene.camera, format);
-    require_simple_lights(scene);
     if (!accel.complete()) {
         throw std::invalid_argument("'" + accel.spec() +
                                     "' answers only some rays; record with a complete structure");
     }
-    WavefrontSettings settings;
-    settings.depth = 2;  // the second level is only recorded
     RecordedStreams streams;
-    Image unused(format.width, format.height);
     const std::unique_ptr<Session> session = accel.open(Mode::timing);
     RecordingSession recording(*session, streams);
-    Wavefront wavefront(scene, camera, settings, recording, unused);
-    const Tiles tiles(format, settings.batch);
-    for (std::size_t i = 0; i < tiles.size(); ++i) wavefront.trace(tiles.tile(i));
+    trace_camera_rays(scene, format, recording);
 
     for (std::size_t i = 0; i < streams.camera.rays.size(); ++i) {
         const RandomSequence random(format.seed, static_cast<std::uint32_t>(i), 0);

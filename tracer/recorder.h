@@ -24,7 +24,7 @@ struct RecordedStreams {
 };
 
 /// Traces the camera rays with `accel`, which must be complete, and records what they would spawn
-/// under the SPD testing rules. Equal inputs and seeds give equal rays, for every exact structure.
+/// under the SPD testing rules, to a random point of lamps of a size. Equal inputs and seeds give equal rays, for every exact structure.
 /// Throws like render.
 RecordedStreams record_streams(const Scene& scene, const Accel& accel, const ImageFormat& format);
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tracer/integrator/irradiance_fill.h"
 #include "tracer/lanes.h"
 #include "tracer/tiles.h"
 
@@ -47,22 +48,15 @@ private:
     std::atomic<std::size_t> done_ = 0;
 };
 
-void require_valid(const Scene& scene, const Accel& accel, const RenderSettings& settings) {
-    require_valid(settings.format);
-    require_simple_lights(scene);
+void require_valid(const Accel& accel, const RenderSettings& settings) {
     if (!accel.complete()) {
         throw std::invalid_argument("'" + accel.spec() +
                                     "' answers only some rays; add a complete " + "structure: '" +
                                     accel.spec() + "+bvh'");
     }
-    const WavefrontSettings& wavefront = settings.wavefront;
-    if (wavefront.batch < 1 || wavefront.batch > max_batch) {
-        throw std::invalid_argument("batch " + std::to_string(wavefront.batch) +
+    if (settings.batch < 1 || settings.batch > max_batch) {
+        throw std::invalid_argument("batch " + std::to_string(settings.batch) +
                                     ": must be from 1 to " + std::to_string(max_batch));
-    }
-    if (wavefront.depth < 1 || wavefront.depth > largest_depth) {
-        throw std::invalid_argument("depth " + std::to_string(wavefront.depth) +
-                                    ": must be from 1 to " + std::to_string(largest_depth));
     }
     if (settings.threads < 0) {
         throw std::invalid_argument("threads " + std::to_string(settings.threads) +
@@ -70,24 +64,62 @@ void require_valid(const Scene& scene, const Accel& accel, const RenderSettings&
     }
 }
 
+Sampling sampling_of(const RenderSettings& settings) {
+    Sampling sampling{{.kind = settings.sampler,
+                       .spp = settings.format.spp,
+                       .blue_noise = settings.blue_noise,
+                       .cook_time = settings.cook_time,
+                       .seed = settings.format.seed},
+                      std::nullopt};
+    const Sampler checked(sampling.sampler);
+    if (settings.adaptive) sampling.adaptive.emplace(*settings.adaptive);
+    return sampling;
+}
+
+Film film_of(const RenderSettings& settings, const Filter& filter) {
+    return Film(settings.format.width, settings.format.height, filter, settings.reconstruction);
+}
+
 }  // namespace
 
-RenderResult render(const Scene& scene, const Accel& accel, const RenderSettings& settings) {
-    require_valid(scene, accel, settings);
-    const CameraRays camera(scene.camera, settings.format);
-    const Tiles tiles(settings.format, settings.wavefront.batch);
-    RenderResult result;
-    result.image = Image(settings.format.width, settings.format.height);
+BuildInput build_input(const Scene& scene, const RenderSettings& settings) {
+    return build_input(scene, settings.format, film_of(settings, Filter(settings.filter)).border());
+}
 
+RenderResult render(const Scene& scene, const Accel& accel, const RenderSettings& settings) {
+    require_valid(accel, settings);
+    const Filter filter(settings.filter);
+    Film film = film_of(settings, filter);
+    const CameraRays camera(scene.camera, settings.format, film.border());
+    const CameraSamples samples(camera, filter, settings.reconstruction,
+                                shutter_of(scene, settings.shutter));
+    const Sampling sampling = sampling_of(settings);
+    const Tiles tiles(settings.format, settings.batch, film.traced_border());
+
+    RenderResult result;
     const Clock::time_point start = Clock::now();
+    std::optional<IrradianceCache> cache;
+    if (settings.transport.method == Method::irradiance) {
+        cache = fill_irradiance_cache(scene, accel, camera, settings.transport, settings.batch,
+                                      settings.threads);
+    }
+    const auto integrator = make_integrator(scene, settings.transport, cache ? &*cache : nullptr);
     ProgressMeter meter(settings.progress, tiles.size(), start);
     Lanes lanes([&] {
-        return std::make_unique<Lane>(scene, camera, settings.wavefront, accel.open(settings.mode),
-                                      result.image);
+        std::unique_ptr<Session> session = accel.open(settings.mode);
+        Session& opened = *session;
+        return std::make_unique<Lane>(
+            std::move(session), TileTracer(samples, sampling, film, *integrator, opened,
+                                           scene.lights.size(), settings.batch));
     });
+    std::atomic<bool> stopped = false;
     const auto trace_tile = [&](std::size_t tile) {
+        if (stopped || (settings.stopped && settings.stopped())) {
+            stopped = true;
+            return;
+        }
         std::unique_ptr<Lane> lane = lanes.take();
-        lane->wavefront.trace(tiles.tile(tile));
+        lane->tracer.trace(tile, tiles.tile(tile));
         lanes.put_back(std::move(lane));
         meter.finish_tile();
     };
@@ -98,9 +130,13 @@ RenderResult render(const Scene& scene, const Accel& accel, const RenderSettings
                                                     : settings.threads);
         arena.execute([&] { tbb::parallel_for(std::size_t{0}, tiles.size(), trace_tile); });
     }
+    result.image = film.image();
     result.seconds = seconds_since(start);
+    result.stopped = stopped;
     for (std::unique_ptr<Lane>& lane : lanes.all()) {
-        result.counts += lane->wavefront.counts();
+        result.counts += lane->tracer.counts();
+        result.answering_seconds +=
+            std::chrono::duration<double>(lane->tracer.answering()).count();
         if (settings.mode == Mode::counting) result.session = std::move(lane->session);
     }
     return result;

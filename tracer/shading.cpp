@@ -1,8 +1,9 @@
 #include "tracer/shading.h"
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
+#include <numbers>
+
+#include "tracer/bsdf/gloss.h"
 
 namespace rayshoot {
 namespace {
@@ -15,6 +16,7 @@ Ray spawned(const Shade& shade, const vec3& direction, float t_max, float distan
     Ray ray;
     ray.direction = direction;
     ray.t_max = t_max;
+    ray.time = shade.time;
     if (shade.rules == Rules::havran) {
         ray.origin = vec3(shade.point.position);
         ray.t_min = havran_distance / distance_per_t;
@@ -22,6 +24,15 @@ Ray spawned(const Shade& shade, const vec3& direction, float t_max, float distan
         ray.origin = spawn_origin(shade.point, direction);
     }
     return ray;
+}
+
+/// In the direction of a perfect mirror or glass, or round it where the material blurs.
+std::optional<SpawnedRay> sent_on(const Shade& shade, const vec3& sharp, Pair blur, float share) {
+    const float gloss = shade.material->gloss;
+    if (!(gloss > 0)) return SpawnedRay{spawned(shade, sharp, infinity, 1), share};
+    const BlurredRay ray = blurred(sharp, shade.point, gloss, blur);
+    if (!(ray.weight > 0)) return std::nullopt;
+    return SpawnedRay{spawned(shade, ray.direction, infinity, 1), share * ray.weight};
 }
 
 /// Snell's law at a surface seen from `incoming`; empty when totally reflected.
@@ -44,6 +55,17 @@ float lobe(float cosine, float exponent) {
     return static_cast<float>(std::pow(double{cosine}, double{exponent}));
 }
 
+vec3 diffuse(const Material& material, float cosine) {
+    return material.colour * (material.diffuse * cosine);
+}
+
+float phong_highlight(const Shade& shade, const vec3& to_light) {
+    const Material& material = *shade.material;
+    if (!(material.specular > 0)) return 0;
+    return material.specular *
+           lobe(dot(mirrored(shade.incoming, shade.normal), to_light), material.shininess);
+}
+
 /// Share of a spot light's intensity in `direction` (unit, from the light).
 float spot_share(const Light& light, const vec3& direction) {
     const float cosine = dot(light.direction, direction);
@@ -57,6 +79,7 @@ float spot_share(const Light& light, const vec3& direction) {
 Shade make_shade(const Scene& scene, Rules rules, const Ray& ray, const Hit& hit) {
     Shade shade;
     shade.point = surface_point(scene.geometry, ray, hit);
+    shade.time = ray.time;
     shade.incoming = normalised(ray.direction);
     shade.material = &scene.material(hit.primitive);
     shade.rules = rules;
@@ -80,53 +103,52 @@ std::optional<Illumination> illumination(const Shade& shade, const Light& light)
     const float cosine = dot(shade.normal, unit);
     if (!(cosine > 0)) return std::nullopt;
 
-    Illumination sample;
-    sample.ray = spawned(shade, to_light, directional ? infinity : 1.0f, distance);
+    Illumination lit;
+    lit.ray = spawned(shade, to_light, directional ? infinity : 1.0f, distance);
     if (!directional) {
         // From where the ray really starts, so that it ends in the light; t_max stays below 1.
-        sample.ray.direction = vec3(dvec3(light.position) - dvec3(sample.ray.origin));
-        sample.ray.t_max = 1 - 0x1p-24f;
+        lit.ray.direction = vec3(dvec3(light.position) - dvec3(lit.ray.origin));
+        lit.ray.t_max = 1 - 0x1p-24f;
     }
     const float share = light.kind == LightKind::spot ? spot_share(light, -unit) : 1.0f;
-    const Material& material = *shade.material;
-    const float highlight =
-        material.specular > 0
-            ? material.specular *
-                  lobe(dot(mirrored(shade.incoming, shade.normal), unit), material.shininess)
-            : 0.0f;
-    sample.radiance =
-        light.intensity * share * (material.colour * (material.diffuse * cosine) + vec3(highlight));
-    return sample;
+    lit.radiance = light.intensity * share *
+                   (diffuse(*shade.material, cosine) + vec3(phong_highlight(shade, unit)));
+    return lit;
 }
 
-Spawned spawned_rays(const Shade& shade) {
+std::optional<Illumination> illumination(const Shade& shade, const LightSample& sample,
+                                         bool highlight) {
+    const float cosine = dot(shade.normal, sample.direction);
+    if (!(cosine > 0)) return std::nullopt;
+    vec3 reflected = diffuse(*shade.material, cosine);
+    // A highlight is no irradiance: it does not fall off with the cosine to the light's direction.
+    if (highlight) reflected += vec3(phong_highlight(shade, sample.direction));
+    return Illumination{shadow_ray(shade.point, sample, shade.time),
+                        sample.incident * std::numbers::inv_pi_v<float> * reflected};
+}
+
+Spawned spawned_rays(const Shade& shade, const Blur& blur) {
     const Material& material = *shade.material;
     Spawned rays;
     if (!(material.specular > 0 || material.transmittance > 0)) return rays;
     float mirror_share = material.specular;
     if (material.transmittance > 0) {
         if (const auto direction = refracted(shade)) {
-            rays.refraction = {spawned(shade, *direction, infinity, 1), material.transmittance};
+            rays.refraction = sent_on(shade, *direction, blur.refraction, material.transmittance);
         } else {
             rays.totally_reflected = true;
             mirror_share += material.transmittance;
         }
     }
     const vec3 direction = normalised(mirrored(shade.incoming, shade.normal));
-    rays.reflection = {spawned(shade, direction, infinity, 1), mirror_share};
+    rays.reflection = sent_on(shade, direction, blur.reflection, mirror_share);
     return rays;
 }
 
-void require_simple_lights(const Scene& scene) {
-    for (const Light& light : scene.lights) {
-        if (light.kind == LightKind::point || light.kind == LightKind::spot ||
-            light.kind == LightKind::directional) {
-            continue;
-        }
-        throw std::invalid_argument(
-            "scene '" + scene.name +
-            "': Whitted shading has no soft shadows; give point, spot or directional lights");
-    }
+bool without_falloff(const Light& light) {
+    const bool simple = light.kind == LightKind::point || light.kind == LightKind::spot ||
+                        light.kind == LightKind::directional;
+    return simple && light.falloff == Falloff::none;
 }
 
 }  // namespace rayshoot

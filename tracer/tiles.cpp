@@ -30,9 +30,14 @@ std::vector<Pixel> morton_order(int width, int height) {
     return order;
 }
 
-Tiles::Tiles(const ImageFormat& format, std::size_t batch)
-    : pixels_(morton_order(format.width, format.height)),
-      pixels_per_tile_(std::max<std::size_t>(1, batch / static_cast<std::size_t>(format.spp))) {}
+Tiles::Tiles(const ImageFormat& format, std::size_t batch, int border)
+    : pixels_(morton_order(format.width + 2 * border, format.height + 2 * border)),
+      pixels_per_tile_(std::max<std::size_t>(1, batch / static_cast<std::size_t>(format.spp))) {
+    for (Pixel& pixel : pixels_) {
+        pixel.x = static_cast<std::int16_t>(pixel.x - border);
+        pixel.y = static_cast<std::int16_t>(pixel.y - border);
+    }
+}
 
 std::size_t Tiles::size() const {
     return (pixels_.size() + pixels_per_tile_ - 1) / pixels_per_tile_;

@@ -13,10 +13,11 @@ namespace rayshoot {
 std::vector<Pixel> morton_order(int width, int height);
 
 /// Consecutive pixels of the Morton order, so that a tile's camera rays fill one batch of `batch`
-/// rays (several where spp > batch); all samples of a pixel are in one tile.
+/// rays (several where spp > batch); all samples of a pixel are in one tile. `border`: cells outside
+/// the image, on each side, that are pixels, too.
 class Tiles {
 public:
-    Tiles(const ImageFormat& format, std::size_t batch);
+    Tiles(const ImageFormat& format, std::size_t batch, int border = 0);
 
     std::size_t size() const;
     std::span<const Pixel> tile(std::size_t index) const;

@@ -3,143 +3,110 @@
 #include <algorithm>
 
 namespace rayshoot {
+namespace {
 
-RayCount RayCounts::of(RayKind kind) const {
-    const RayCounts& all = *this;
-    if (kind == RayKind::camera) return all[Cause::camera];
-    if (kind == RayKind::shadow) return all[Cause::shadow];
-    return {all[Cause::reflection].rays + all[Cause::refraction].rays,
-            all[Cause::reflection].hits + all[Cause::refraction].hits};
+void clear(Sent::Rays& rays) {
+    rays.rays.clear();
+    rays.paths.clear();
 }
 
-RayCounts& RayCounts::operator+=(const RayCounts& other) {
-    for (std::size_t i = 0; i < by_cause.size(); ++i) {
-        by_cause[i].rays += other.by_cause[i].rays;
-        by_cause[i].hits += other.by_cause[i].hits;
-    }
-    totally_reflected += other.totally_reflected;
-    return *this;
+void clear(Sent::Shadows& shadows) {
+    shadows.rays.clear();
+    shadows.sources.clear();
+    shadows.shots.clear();
+    shadows.radiances.clear();
 }
 
-void Wavefront::Wave::clear() {
-    rays.clear();
-    paths.clear();
-    sources.clear();
-}
+}  // namespace
 
-void Wavefront::Wave::append(const Wave& other) {
-    rays.insert(rays.end(), other.rays.begin(), other.rays.end());
-    paths.insert(paths.end(), other.paths.begin(), other.paths.end());
-}
-
-void Wavefront::Shadows::clear() {
-    rays.clear();
-    sources.clear();
-    pixels.clear();
-    radiances.clear();
-}
-
-Wavefront::Wavefront(const Scene& scene, const CameraRays& camera,
-                     const WavefrontSettings& settings, Session& session, Image& image)
-    : scene_(scene),
-      camera_(camera),
-      settings_(settings),
+Wavefront::Wavefront(const Integrator& integrator, Session& session, std::size_t lights,
+                     std::size_t batch)
+    : integrator_(integrator),
       session_(session),
-      image_(image),
-      shadows_(scene.lights.size()),
-      hits_(settings.batch),
-      occluded_(settings.batch) {}
-
-void Wavefront::trace(std::span<const Pixel> tile) {
-    start(tile);
-    for (int depth = 1; !wave_.rays.empty(); ++depth) {
-        reflections_.clear();
-        refractions_.clear();
-        for (std::size_t first = 0; first < wave_.rays.size(); first += settings_.batch) {
-            trace_batch(first, std::min(settings_.batch, wave_.rays.size() - first), depth);
-        }
-        // Rays of one kind stay together: they are the more coherent.
-        wave_.clear();
-        wave_.append(reflections_);
-        wave_.append(refractions_);
-    }
-    const float share = 1.0f / static_cast<float>(camera_.format().spp);
-    for (const Pixel pixel : tile) image_.at(pixel.x, pixel.y) *= share;
+      batch_(batch),
+      hits_(batch),
+      occluded_(batch) {
+    sent_.shadows.resize(lights);
 }
 
-void Wavefront::start(std::span<const Pixel> tile) {
-    wave_.clear();
-    for (const Pixel pixel : tile) {
-        for (int sample = 0; sample < camera_.format().spp; ++sample) {
-            wave_.rays.push_back(camera_.ray(pixel, sample));
-            wave_.sources.push_back(CameraRays::source(pixel));
-            wave_.paths.push_back({pixel, Cause::camera, 1});
+void Wavefront::trace(std::span<Shot> shots, int level, float pdf) {
+    start(shots, level, pdf);
+    for (; !wave_.rays.empty(); ++level) {
+        for (std::size_t first = 0; first < wave_.rays.size(); first += batch_) {
+            trace_batch(first, std::min(batch_, wave_.rays.size() - first), level);
         }
+        turn_wave();
+    }
+    counts_.totally_reflected += sent_.totally_reflected;
+    sent_.totally_reflected = 0;
+}
+
+void Wavefront::start(std::span<Shot> shots, int level, float pdf) {
+    sent_.shots = shots;
+    clear(wave_);
+    sources_.clear();
+    const Cause cause = level == 1 ? Cause::camera : Cause::reflection;
+    for (std::uint32_t i = 0; i < shots.size(); ++i) {
+        wave_.rays.push_back(shots[i].ray);
+        wave_.paths.push_back({.shot = i, .cause = cause, .pdf = pdf});
+        sources_.push_back(shots[i].source);
     }
 }
 
-void Wavefront::trace_batch(std::size_t first, std::size_t count, int depth) {
+/// Two looks at the clock for a batch.
+template <class Question>
+void Wavefront::ask(const Question& question) {
+    const auto start = std::chrono::steady_clock::now();
+    question();
+    answering_ += std::chrono::steady_clock::now() - start;
+}
+
+void Wavefront::trace_batch(std::size_t first, std::size_t count, int level) {
     RayBatch batch;
-    batch.kind = depth == 1 ? RayKind::camera : RayKind::secondary;
-    batch.depth = static_cast<std::uint8_t>(depth);
+    batch.kind = level == 1 ? RayKind::camera : RayKind::secondary;
+    batch.depth = static_cast<std::uint8_t>(level);
     batch.rays = std::span(wave_.rays).subspan(first, count);
-    if (depth == 1) batch.source = std::span(wave_.sources).subspan(first, count);
-    session_.closest(batch, std::span(hits_).first(count));
+    if (level == 1) batch.source = std::span(sources_).subspan(first, count);
+    ask([&] { session_.closest(batch, std::span(hits_).first(count)); });
     for (std::size_t i = 0; i < count; ++i) {
-        shade(wave_.paths[first + i], batch.rays[i], hits_[i], depth);
+        const Path& path = wave_.paths[first + i];
+        const Hit& hit = hits_[i];
+        Shot& shot = sent_.shots[path.shot];
+        RayCount& counted = counts_[path.cause];
+        ++counted.rays;
+        counted.hits += hit.primitive != no_primitive;
+        if (path.place == 1) shot.distance = hit.t;
+        integrator_.shade({batch.rays[i], hit, path, shot, level}, sent_);
     }
-    for (Shadows& shadows : shadows_) trace_shadows(shadows, depth);
+    for (Sent::Shadows& shadows : sent_.shadows) trace_shadows(shadows, level);
 }
 
-void Wavefront::shade(const Path& path, const Ray& ray, const Hit& hit, int depth) {
-    RayCount& count = counts_[path.cause];
-    ++count.rays;
-    vec3& pixel = image_.at(path.pixel.x, path.pixel.y);
-    if (hit.primitive == no_primitive) {
-        pixel += scene_.background * path.weight;
-        return;
+void Wavefront::trace_shadows(Sent::Shadows& shadows, int level) {
+    for (std::size_t first = 0; first < shadows.rays.size(); first += batch_) {
+        const std::size_t count = std::min(batch_, shadows.rays.size() - first);
+        const auto occluded = std::span(occluded_).first(count);
+        const RayBatch batch{RayKind::shadow, static_cast<std::uint8_t>(level),
+                             std::span(shadows.rays).subspan(first, count),
+                             std::span(shadows.sources).subspan(first, count)};
+        ask([&] { session_.occluded(batch, occluded); });
+        counts_[Cause::shadow].rays += count;
+        for (std::size_t i = 0; i < count; ++i) {
+            counts_[Cause::shadow].hits += occluded[i];
+            if (occluded[i]) continue;
+            sent_.shots[shadows.shots[first + i]].radiance += shadows.radiances[first + i];
+        }
     }
-    ++count.hits;
-    const Shade shade = make_shade(scene_, settings_.rules, ray, hit);
-    pixel += ambient(scene_, *shade.material) * path.weight;
-    for (std::uint32_t light = 0; light < scene_.lights.size(); ++light) {
-        const auto sample = illumination(shade, scene_.lights[light]);
-        if (!sample) continue;
-        Shadows& shadows = shadows_[light];
-        shadows.rays.push_back(sample->ray);
-        shadows.sources.push_back(Source::light(light));
-        shadows.pixels.push_back(path.pixel);
-        shadows.radiances.push_back(sample->radiance * path.weight);
-    }
-    if (depth < settings_.depth) spawn(shade, path);
+    clear(shadows);
 }
 
-void Wavefront::spawn(const Shade& shade, const Path& path) {
-    const Spawned spawned = spawned_rays(shade);
-    const auto add = [&](const SpawnedRay& ray, Cause cause, Wave& to) {
-        to.rays.push_back(ray.ray);
-        to.paths.push_back({path.pixel, cause, path.weight * ray.weight});
-    };
-    if (spawned.reflection) add(*spawned.reflection, Cause::reflection, reflections_);
-    if (spawned.refraction) add(*spawned.refraction, Cause::refraction, refractions_);
-    counts_.totally_reflected += spawned.totally_reflected;
-}
-
-void Wavefront::trace_shadows(Shadows& shadows, int depth) {
-    const std::size_t count = shadows.rays.size();  // at most one per ray of a batch
-    if (count == 0) return;
-    const auto occluded = std::span(occluded_).first(count);
-    session_.occluded(
-        {RayKind::shadow, static_cast<std::uint8_t>(depth), shadows.rays, shadows.sources},
-        occluded);
-    RayCount& shadow_count = counts_[Cause::shadow];
-    shadow_count.rays += count;
-    for (std::size_t i = 0; i < count; ++i) {
-        shadow_count.hits += occluded[i];
-        if (occluded[i]) continue;
-        image_.at(shadows.pixels[i].x, shadows.pixels[i].y) += shadows.radiances[i];
-    }
-    shadows.clear();
+/// Rays of one kind stay together: they are the more coherent.
+void Wavefront::turn_wave() {
+    std::swap(wave_, sent_.reflections);
+    Sent::Rays& after = sent_.refractions;
+    wave_.rays.insert(wave_.rays.end(), after.rays.begin(), after.rays.end());
+    wave_.paths.insert(wave_.paths.end(), after.paths.begin(), after.paths.end());
+    clear(sent_.reflections);
+    clear(after);
 }
 
 }  // namespace rayshoot

@@ -76,6 +76,7 @@ public:
     std::span<const vec3> vertex_normals() const { return vertex_normals_; }
     std::span<const std::array<std::uint32_t, 3>> triangles() const { return triangles_; }
     bool only_static_triangles() const;
+    bool has_motion() const { return !motions_.empty(); }
 
     /// Distance by which bounds are padded beyond the primitive, besides the own rounding.
     float padding() const { return padding_; }

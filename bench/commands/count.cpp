@@ -80,8 +80,8 @@ Counted count_image(const Scene& scene, const Accel& accel, const ImageFormat& f
     ProgressLine line;
     RenderSettings settings;
     settings.format = format;
-    settings.wavefront.rules = rules;
-    settings.wavefront.batch = batch;
+    settings.transport.rules = rules;
+    settings.batch = batch;
     settings.mode = Mode::counting;
     settings.progress = [&](double share, double left) { line.show(share, left, "count"); };
     RenderResult result = render(scene, accel, settings);

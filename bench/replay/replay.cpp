@@ -47,7 +47,7 @@ const CountedByName& names() {
 CountedByName count(const Scene& scene, const Accel& accel) {
     RenderSettings settings;
     settings.format = spd_format;
-    settings.wavefront.rules = Rules::havran;
+    settings.transport.rules = Rules::havran;
     settings.mode = Mode::counting;
     const RenderResult result = render(scene, accel, settings);
     CountedByName counted;

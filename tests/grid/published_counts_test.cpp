@@ -17,7 +17,7 @@ class HavranGrid : public testing::TestWithParam<Published> {
 protected:
     HavranGrid() {
         settings_.format = spd_format;
-        settings_.wavefront.rules = Rules::havran;
+        settings_.transport.rules = Rules::havran;
         settings_.mode = Mode::counting;
         accel_ = tracer_tests::build(scene_,
                                      std::string("grid:resolution=") + GetParam().resolution +

@@ -33,7 +33,7 @@ Table published(const std::string& file) {
 RayCounts counted(const std::string& name, Rules rules) {
     RenderSettings settings;
     settings.format = spd_format;
-    settings.wavefront.rules = rules;
+    settings.transport.rules = rules;
     return tracer_tests::render(tracer_tests::spd_scene(name), "bvh", settings).counts;
 }
 

@@ -33,13 +33,13 @@ TEST(Recorder, streams_are_those_of_a_render) {
     const RecordedStreams streams = recorded(scene, "bvh");
     RenderSettings settings;
     settings.format = format;
-    settings.wavefront.depth = 2;
+    settings.transport.depth = 2;
     const RayCounts counts = tracer_tests::render(scene, "bvh", settings).counts;
     EXPECT_EQ(streams.camera.rays.size(), counts.of(RayKind::camera).rays);
     EXPECT_EQ(streams.secondary.rays.size(), counts.of(RayKind::secondary).rays);
     EXPECT_EQ(streams.diffuse.rays.size(), counts.of(RayKind::camera).hits);
     EXPECT_EQ(streams.random.rays.size(), counts.of(RayKind::camera).rays);
-    settings.wavefront.depth = 1;
+    settings.transport.depth = 1;
     const RayCounts flat = tracer_tests::render(scene, "bvh", settings).counts;
     EXPECT_EQ(streams.shadow.rays.size(), flat.of(RayKind::shadow).rays);
 }

@@ -80,7 +80,7 @@ TEST(Render, batch_size_changes_no_count) {
     const RenderResult reference = render(scene, "bvh", settings());
     for (const std::size_t batch : {std::size_t{1}, std::size_t{7}, max_batch}) {
         RenderSettings other = settings();
-        other.wavefront.batch = batch;
+        other.batch = batch;
         const RenderResult result = render(scene, "bvh", other);
         EXPECT_EQ(result.counts, reference.counts) << batch;
         EXPECT_LT(largest_difference(result.image, reference.image), 1e-5f) << batch;
@@ -128,7 +128,7 @@ TEST(Render, an_empty_scene_is_background) {
 
 TEST(Render, depth_bounds_the_ray_tree) {
     RenderSettings flat = settings();
-    flat.wavefront.depth = 1;
+    flat.transport.depth = 1;
     const RenderResult result = render(small_scene(), "bvh", flat);
     EXPECT_EQ(result.counts.of(RayKind::secondary).rays, 0u);
     EXPECT_GT(result.counts.of(RayKind::shadow).rays, 0u);
@@ -150,12 +150,12 @@ TEST(Render, progress_runs_up_to_the_end) {
 TEST(Render, nonsense_is_refused) {
     const Scene scene = small_scene();
     RenderSettings bad = settings();
-    bad.wavefront.batch = 0;
+    bad.batch = 0;
     EXPECT_THROW(render(scene, "bvh", bad), std::invalid_argument);
-    bad.wavefront.batch = max_batch + 1;
+    bad.batch = max_batch + 1;
     EXPECT_THROW(render(scene, "bvh", bad), std::invalid_argument);
     bad = settings();
-    bad.wavefront.depth = 0;
+    bad.transport.depth = -1;
     EXPECT_THROW(render(scene, "bvh", bad), std::invalid_argument);
     bad = settings();
     bad.threads = -1;
