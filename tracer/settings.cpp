@@ -10,6 +10,7 @@
 
 #include "data/file.h"
 #include "tracer/lens.h"
+#include "tracer/wavefront.h"
 
 namespace rayshoot {
 namespace {

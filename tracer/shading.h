@@ -5,6 +5,7 @@
 
 #include "data/scene.h"
 #include "tracer/light/light_sample.h"
+#include "tracer/sampling/pair.h"
 #include "tracer/surface.h"
 
 /// The surface model of NFF under the testing rules of the Standard Procedural Databases

@@ -161,7 +161,7 @@ Json heatmap_document(const HeatmapArguments& arguments, const Catalogue& catalo
             {"width", format.width},
             {"height", format.height},
             {"spp", format.spp},
-            {"batch", settings.wavefront.batch},
+            {"batch", settings.batch},
             {"repetitions", heat.cost == Cost::time ? Json(arguments.repetitions) : Json(nullptr)},
             {"scale",
              {{"low", heat.scale.low}, {"high", heat.scale.high}, {"spacing", arguments.spacing}}},

@@ -3,6 +3,7 @@
 #include "bench/comparison/summary.h"
 #include "bench/output/machine.h"
 #include "bench/timing/steadiness.h"
+#include "bench/output/or_null.h"
 
 namespace rayshoot {
 namespace {
@@ -25,11 +26,6 @@ Json settings(const ComparisonPlan& plan) {
 Json noise(const std::vector<double>& samples) {
     if (samples.empty()) return {{"median_seconds", nullptr}, {"relative_spread", nullptr}};
     return {{"median_seconds", median(samples)}, {"relative_spread", relative_spread(samples)}};
-}
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
 }
 
 /// How still the machine held over the whole run, and whether that makes it void.

@@ -1,16 +1,13 @@
 #include "bench/comparison/row.h"
 
+#include "bench/output/or_null.h"
+
 #include <nlohmann/json.hpp>
 
 namespace rayshoot {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 

@@ -76,7 +76,7 @@ Cost cost_named(std::string_view name) {
 RenderSettings settings_by_pixel(const ImageFormat& format) {
     RenderSettings settings;
     settings.format = format;
-    settings.wavefront.batch = std::min(static_cast<std::size_t>(format.spp), max_batch);
+    settings.batch = std::min(static_cast<std::size_t>(format.spp), max_batch);
     settings.threads = 1;
     return settings;
 }

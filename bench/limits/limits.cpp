@@ -2,6 +2,7 @@
 
 #include "bench/comparison/document.h"
 #include "bench/output/machine.h"
+#include "bench/output/or_null.h"
 
 #include <algorithm>
 
@@ -9,11 +10,6 @@ namespace rayshoot {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class Value>
-Json or_null(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
 
 Way measured_way(const Catalogue& catalogue, const std::string& name, const std::string& spec,
                  const CalibrationSettings& settings) {

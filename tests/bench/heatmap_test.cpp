@@ -2,8 +2,10 @@
 
 #include "bench/timing/watched_accel.h"
 #include "data/scenes.h"
+#include "accel/core/catalogue.h"
 #include "tests/bench/command.h"
 #include "tracer/colour_map.h"
+#include "tracer/wavefront.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +39,7 @@ std::uint64_t counted(const Scene& scene, const Accel& accel, RenderSettings set
 TEST(CostMap, sums_to_what_the_image_counts_in_batches_of_one_ray) {
     const Scene scene = load_scene(scene_name);
     const RenderSettings settings = settings_by_pixel(small);
-    EXPECT_EQ(settings.wavefront.batch, 1u);
+    EXPECT_EQ(settings.batch, 1u);
     for (const char* spec : {"brute_force", "bvh", "bvh8", "grid", "octree", "bsp"}) {
         const auto accel = built(scene, spec, small);
         for (const auto& [cost, event] :
@@ -55,7 +57,7 @@ TEST(CostMap, of_several_samples_sums_to_the_count_too) {
     ImageFormat format = small;
     format.spp = 3;
     const RenderSettings settings = settings_by_pixel(format);
-    EXPECT_EQ(settings.wavefront.batch, 3u);
+    EXPECT_EQ(settings.batch, 3u);
     const auto accel = built(scene, "bvh", format);
     EXPECT_EQ(summarise(cost_map(scene, *accel, settings, Cost::tests)).sum,
               counted(scene, *accel, settings, Event::object_test));
@@ -67,12 +69,16 @@ TEST(CostMap, charges_a_pixel_with_the_rays_of_its_own_path) {
     const ScalarImage map = cost_map(scene, *accel, settings_by_pixel(small), Cost::tests);
     // An image of that pixel alone, in the middle of the raster: the same camera ray.
     const CameraRays camera(scene.camera, small);
+    const auto integrator = make_integrator(scene, {});
+    const Sampler sampler({});
     for (const Pixel pixel : {Pixel{0, 0}, Pixel{10, 8}, Pixel{19, 16}, Pixel{5, 12}}) {
-        Image image(small.width, small.height);
         const auto session = accel->open(Mode::counting);
-        WavefrontSettings one;
-        one.batch = 1;
-        Wavefront(scene, camera, one, *session, image).trace({&pixel, 1});
+        Shot shot;
+        shot.ray = camera.ray(pixel.x + 0.5, pixel.y + 0.5, {}, 0);
+        shot.source = CameraRays::source(pixel);
+        shot.sampler = &sampler;
+        shot.pixel = pixel;
+        Wavefront(*integrator, *session, scene.lights.size(), 1).trace({&shot, 1});
         double tests = 0;
         for (int kind = 0; kind < ray_kinds; ++kind)
             tests += static_cast<double>(

@@ -1,6 +1,7 @@
 #include "tracer/integrator/irradiance_cache.h"
 
 #include <algorithm>
+#include <boost/geometry/algorithms/covered_by.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>

@@ -1,6 +1,7 @@
 #include "tracer/integrator/path_tracer.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <numbers>
 
 namespace rayshoot {
@@ -21,8 +22,6 @@ vec3 share(const vec3& part, const vec3& all) {
     const auto quotient = [](float a, float b) { return b > 0 ? a / b : 0.0f; };
     return {quotient(part.x, all.x), quotient(part.y, all.y), quotient(part.z, all.z)};
 }
-
-float largest(const vec3& colour) { return std::max({colour.x, colour.y, colour.z}); }
 
 }  // namespace
 
