@@ -8,7 +8,8 @@ Shutter shutter_of(const Scene& scene, ShutterWeight weight) {
     return {camera.shutter_open, camera.shutter_close, weight};
 }
 
-CameraSample CameraSamples::sample(const Sampler& sampler, Pixel pixel, std::uint32_t sample) const {
+CameraSample CameraSamples::sample(const Sampler& sampler, Pixel pixel,
+                                   std::uint32_t sample) const {
     const Pair in_cell = sampler.pair(pixel, sample, {Use::pixel});
     CameraSample result;
     result.on_film = {.pixel = pixel, .x = in_cell.u, .y = in_cell.v};

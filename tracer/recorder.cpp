@@ -96,8 +96,7 @@ void trace_camera_rays(const Scene& scene, const ImageFormat& format, Session& s
     transport.depth = 2;  // the second level is only recorded
     const CameraRays camera(scene.camera, format);
     const Filter box;
-    const CameraSamples camera_samples(camera, box, Reconstruction::importance,
-                                       shutter_of(scene));
+    const CameraSamples camera_samples(camera, box, Reconstruction::importance, shutter_of(scene));
     const Sampler sampler({.spp = format.spp, .seed = format.seed});
     const auto integrator = make_integrator(scene, transport);
     Wavefront wavefront(*integrator, session, scene.lights.size(), default_batch);

@@ -24,8 +24,8 @@ struct RecordedStreams {
 };
 
 /// Traces the camera rays with `accel`, which must be complete, and records what they would spawn
-/// under the SPD testing rules, to a random point of lamps of a size. Equal inputs and seeds give equal rays, for every exact structure.
-/// Throws like render.
+/// under the SPD testing rules, to a random point of lamps of a size. Equal inputs and seeds give
+/// equal rays, for every exact structure. Throws like render.
 RecordedStreams record_streams(const Scene& scene, const Accel& accel, const ImageFormat& format);
 
 /// `count` rays from point to point, both uniform on the sphere round `bounds`: isotropic. The

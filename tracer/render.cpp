@@ -108,9 +108,9 @@ RenderResult render(const Scene& scene, const Accel& accel, const RenderSettings
     Lanes lanes([&] {
         std::unique_ptr<Session> session = accel.open(settings.mode);
         Session& opened = *session;
-        return std::make_unique<Lane>(
-            std::move(session), TileTracer(samples, sampling, film, *integrator, opened,
-                                           scene.lights.size(), settings.batch));
+        return std::make_unique<Lane>(std::move(session),
+                                      TileTracer(samples, sampling, film, *integrator, opened,
+                                                 scene.lights.size(), settings.batch));
     });
     std::atomic<bool> stopped = false;
     const auto trace_tile = [&](std::size_t tile) {
@@ -135,8 +135,7 @@ RenderResult render(const Scene& scene, const Accel& accel, const RenderSettings
     result.stopped = stopped;
     for (std::unique_ptr<Lane>& lane : lanes.all()) {
         result.counts += lane->tracer.counts();
-        result.answering_seconds +=
-            std::chrono::duration<double>(lane->tracer.answering()).count();
+        result.answering_seconds += std::chrono::duration<double>(lane->tracer.answering()).count();
         if (settings.mode == Mode::counting) result.session = std::move(lane->session);
     }
     return result;

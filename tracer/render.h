@@ -32,11 +32,11 @@ struct RenderSettings {
     ShutterWeight shutter = ShutterWeight::box;
     TransportSettings transport;
     std::optional<AdaptiveSettings> adaptive;  ///< none: format.spp samples everywhere
-    std::size_t batch = default_batch;  ///< most rays in one call, 1 to max_batch
-    int threads = 0;                    ///< 0: as many as the machine has; counting takes one
-    Mode mode = Mode::timing;           ///< counting: one session, tiles in stream order
-    RenderProgress progress;            ///< may be empty
-    std::function<bool()> stopped;      ///< may be empty; true: no further tile is begun
+    std::size_t batch = default_batch;         ///< most rays in one call, 1 to max_batch
+    int threads = 0;                ///< 0: as many as the machine has; counting takes one
+    Mode mode = Mode::timing;       ///< counting: one session, tiles in stream order
+    RenderProgress progress;        ///< may be empty
+    std::function<bool()> stopped;  ///< may be empty; true: no further tile is begun
 };
 
 struct RenderResult {

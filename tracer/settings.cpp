@@ -21,9 +21,7 @@ public:
     explicit Value(std::string_view text) : text_(text) {}
 
     std::string_view text() const { return text_; }
-    double number(double least, double most) const {
-        return parsed<double>(text_, least, most);
-    }
+    double number(double least, double most) const { return parsed<double>(text_, least, most); }
     float real(float least, float most) const {
         return static_cast<float>(number(double{least}, double{most}));
     }
@@ -72,10 +70,9 @@ struct Setting {
 };
 
 constexpr std::array settings_table{
-    Setting{"spp", "1 to 65536; 1", "samples per pixel",
-            [](ImageSettings& s, const Value& v) {
-                s.render.format.spp = v.integer(1, largest_spp);
-            }},
+    Setting{
+        "spp", "1 to 65536; 1", "samples per pixel",
+        [](ImageSettings& s, const Value& v) { s.render.format.spp = v.integer(1, largest_spp); }},
     Setting{"seed", "0 to 2147483647; 0", "of all random numbers",
             [](ImageSettings& s, const Value& v) {
                 s.render.format.seed = static_cast<std::uint32_t>(v.integer(0, 0x7fffffff));
@@ -83,10 +80,9 @@ constexpr std::array settings_table{
     Setting{"sampler", "random, regular, jitter, gaussian, sobol; jitter",
             "how the samples of a pixel are spread over all dimensions",
             [](ImageSettings& s, const Value& v) { s.render.sampler = sampler_kind(v.text()); }},
-    Setting{"order", "pixel, blue_noise; pixel", "of sobol: errors of neighbouring pixels differ",
-            [](ImageSettings& s, const Value& v) {
-                s.render.blue_noise = v.among<int>(orders) == 1;
-            }},
+    Setting{
+        "order", "pixel, blue_noise; pixel", "of sobol: errors of neighbouring pixels differ",
+        [](ImageSettings& s, const Value& v) { s.render.blue_noise = v.among<int>(orders) == 1; }},
     Setting{"time", "stratified, cook; stratified",
             "subframes of the samples: by chance, or by Cook's precomputed map",
             [](ImageSettings& s, const Value& v) {
@@ -94,9 +90,7 @@ constexpr std::array settings_table{
             }},
     Setting{"filter", "box, cone, hann, gaussian, mitchell, blackman_harris; box",
             "weight of the light around the middle of a pixel",
-            [](ImageSettings& s, const Value& v) {
-                s.render.filter.kind = filter_kind(v.text());
-            }},
+            [](ImageSettings& s, const Value& v) { s.render.filter.kind = filter_kind(v.text()); }},
     Setting{"radius", "0.5 to 16 pixels; 0.5", "of the filter",
             [](ImageSettings& s, const Value& v) {
                 s.render.filter.radius = v.number(smallest_radius, largest_radius);
@@ -152,15 +146,16 @@ constexpr std::array settings_table{
     Setting{"close", "0 to 1; 1", "ray time at which it closes",
             [](ImageSettings& s, const Value& v) { s.shutter_close = v.real(0, 1); }},
     Setting{"shutter", "box, triangle, raised_cosine; box", "how long each moment counts",
-            [](ImageSettings& s, const Value& v) {
-                s.render.shutter = shutter_weight(v.text());
-            }},
-    Setting{"tolerance", "0.0001 to 1; 1/255", "turns adaptive sampling on: wanted error of a pixel",
+            [](ImageSettings& s, const Value& v) { s.render.shutter = shutter_weight(v.text()); }},
+    Setting{"tolerance", "0.0001 to 1; 1/255",
+            "turns adaptive sampling on: wanted error of a pixel",
             [](ImageSettings& s, const Value& v) { adaptive(s).tolerance = v.number(1e-4, 1); }},
-    Setting{"least", "2 to 65536; 16", "adaptive: samples of the first round",
-            [](ImageSettings& s, const Value& v) { adaptive(s).least = v.integer(2, largest_spp); }},
-    Setting{"round", "1 to 65536; 16", "adaptive: samples of each further round",
-            [](ImageSettings& s, const Value& v) { adaptive(s).round = v.integer(1, largest_spp); }},
+    Setting{
+        "least", "2 to 65536; 16", "adaptive: samples of the first round",
+        [](ImageSettings& s, const Value& v) { adaptive(s).least = v.integer(2, largest_spp); }},
+    Setting{
+        "round", "1 to 65536; 16", "adaptive: samples of each further round",
+        [](ImageSettings& s, const Value& v) { adaptive(s).round = v.integer(1, largest_spp); }},
     Setting{"most", "2 to 65536; 256", "adaptive: samples of a pixel",
             [](ImageSettings& s, const Value& v) { adaptive(s).most = v.integer(2, largest_spp); }},
     Setting{"adaptive", "sequential, two_pass; sequential", "adaptive: cheap and biased, or not",
@@ -236,8 +231,8 @@ void apply_settings(std::string_view text, ImageSettings& settings) {
 void apply_to(Camera& camera, const ImageSettings& settings) {
     if (settings.shutter_open) camera.shutter_open = *settings.shutter_open;
     if (settings.shutter_close) camera.shutter_close = *settings.shutter_close;
-    const bool lens = settings.f_stop || settings.focal_length || settings.focus_distance ||
-                      settings.blades;
+    const bool lens =
+        settings.f_stop || settings.focal_length || settings.focus_distance || settings.blades;
     if (!lens) return;
     if (!camera.lens) {
         if (!settings.f_stop)

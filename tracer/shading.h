@@ -26,8 +26,8 @@ inline constexpr float havran_distance = 0.01f;
 struct Shade {
     SurfacePoint point;
     float time = 0;  ///< of the ray that hit; rays that are sent on have it too
-    vec3 incoming;  ///< of the ray that hit
-    vec3 normal;    ///< shading normal that decides on light: see Rules
+    vec3 incoming;   ///< of the ray that hit
+    vec3 normal;     ///< shading normal that decides on light: see Rules
     const Material* material = nullptr;
     Rules rules = Rules::spd_readme;
 };

@@ -50,7 +50,7 @@ private:
     std::vector<Shot> shots_;
     std::vector<FilmSample> exposed_;
     std::vector<std::uint32_t> pixels_;
-    std::vector<FilmSample> on_film_;        ///< of all rounds
+    std::vector<FilmSample> on_film_;            ///< of all rounds
     std::vector<std::uint32_t> pixels_on_film_;  ///< whose those are
 };
 

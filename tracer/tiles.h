@@ -13,8 +13,8 @@ namespace rayshoot {
 std::vector<Pixel> morton_order(int width, int height);
 
 /// Consecutive pixels of the Morton order, so that a tile's camera rays fill one batch of `batch`
-/// rays (several where spp > batch); all samples of a pixel are in one tile. `border`: cells outside
-/// the image, on each side, that are pixels, too.
+/// rays (several where spp > batch); all samples of a pixel are in one tile. `border`: cells
+/// outside the image, on each side, that are pixels, too.
 class Tiles {
 public:
     Tiles(const ImageFormat& format, std::size_t batch, int border = 0);

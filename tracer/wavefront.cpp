@@ -21,11 +21,7 @@ void clear(Sent::Shadows& shadows) {
 
 Wavefront::Wavefront(const Integrator& integrator, Session& session, std::size_t lights,
                      std::size_t batch)
-    : integrator_(integrator),
-      session_(session),
-      batch_(batch),
-      hits_(batch),
-      occluded_(batch) {
+    : integrator_(integrator), session_(session), batch_(batch), hits_(batch), occluded_(batch) {
     sent_.shadows.resize(lights);
 }
 

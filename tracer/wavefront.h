@@ -22,8 +22,8 @@ public:
     Wavefront(const Integrator& integrator, Session& session, std::size_t lights,
               std::size_t batch);
 
-    /// Adds to each shot the radiance that its ray brings. `level`: 1 for camera rays; above it they
-    /// are secondary rays, without sources. `pdf`: Path::pdf of all of them.
+    /// Adds to each shot the radiance that its ray brings. `level`: 1 for camera rays; above it
+    /// they are secondary rays, without sources. `pdf`: Path::pdf of all of them.
     void trace(std::span<Shot> shots, int level = 1, float pdf = 0);
     const RayCounts& counts() const { return counts_; }
     /// Time that the session took to answer; the rest is the tracer's own.

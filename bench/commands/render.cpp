@@ -116,8 +116,7 @@ void print_frame(std::ostream& out, const Json& document) {
         << " s, " << number_cell(100 * answering / (seconds * lanes), 3)
         << " % of it in the structure, SHA-256 of the floats "
         << document["sha256"].get<std::string>() << '\n';
-    if (!document["complete"])
-        out << "interrupted: the file holds what was rendered until then\n";
+    if (!document["complete"]) out << "interrupted: the file holds what was rendered until then\n";
 }
 
 int render_image(const RenderArguments& arguments, const Invocation& invocation) {
@@ -147,8 +146,9 @@ void add_render(CLI::App& app, Invocation& invocation) {
                      "How the image is sampled, filtered and lit: key=value,... or @FILE of such "
                      "lines; may be repeated, the later one counts")
         ->expected(1);
-    command->add_option("--frames", arguments->frames,
-                        "Frames of an animation, each in a file of its own: out-0001.png ... (1)")
+    command
+        ->add_option("--frames", arguments->frames,
+                     "Frames of an animation, each in a file of its own: out-0001.png ... (1)")
         ->check(CLI::Range(1, largest_frames));
     command->add_option("--out", arguments->out, "Image file, .png or .exr")->required();
     command->add_option("--threads", arguments->threads, "Threads (all)");

@@ -1,8 +1,8 @@
 #include "bench/heatmap/cost_map.h"
 
+#include "accel/core/catalogue.h"
 #include "bench/timing/watched_accel.h"
 #include "data/scenes.h"
-#include "accel/core/catalogue.h"
 #include "tests/bench/command.h"
 #include "tracer/colour_map.h"
 #include "tracer/wavefront.h"

@@ -20,9 +20,9 @@ struct Shot {
     Source source;
     const Sampler* sampler = nullptr;  ///< of its random numbers, never null
     Pixel pixel;
-    std::uint32_t sample = 0;  ///< its number among those of the sampler
-    vec3 radiance{0};          ///< out: linear RGB
-    float distance = infinity; ///< out: t of the first hit
+    std::uint32_t sample = 0;   ///< its number among those of the sampler
+    vec3 radiance{0};           ///< out: linear RGB
+    float distance = infinity;  ///< out: t of the first hit
 };
 
 /// What is left to know of a ray when its hit comes back.

@@ -38,7 +38,9 @@ struct Place {
 /// Pixels of a lattice that are in no coarser one, in the order of the image's tiles.
 std::vector<Pixel> lattice(const std::vector<Pixel>& pixels, int spacing) {
     std::vector<Pixel> members;
-    const auto on = [](Pixel pixel, int step) { return pixel.x % step == 0 && pixel.y % step == 0; };
+    const auto on = [](Pixel pixel, int step) {
+        return pixel.x % step == 0 && pixel.y % step == 0;
+    };
     for (const Pixel pixel : pixels) {
         const bool earlier = spacing < coarsest_lattice && on(pixel, 2 * spacing);
         if (on(pixel, spacing) && !earlier) members.push_back(pixel);
@@ -69,9 +71,8 @@ public:
           gatherers_([this, &accel, batch] {
               std::unique_ptr<Session> session = accel.open(Mode::timing);
               Session& opened = *session;
-              return Gatherer{std::move(session),
-                              Wavefront(paths_, opened, scene_.lights.size(), batch),
-                              {}};
+              return Gatherer{
+                  std::move(session), Wavefront(paths_, opened, scene_.lights.size(), batch), {}};
           }) {}
 
     IrradianceCache fill() && {
@@ -173,8 +174,8 @@ IrradianceRecord Filling::gathered(const Place& place, Gatherer& gatherer) const
     const float least = least_pixels * place.pixel_size / settings_.cache_error;
     const float most = std::max(least, most_of_scene * diagonal / settings_.cache_error);
     const auto mean = static_cast<float>(static_cast<double>(count) / inverses);
-    return {vec3(place.point.position), place.normal,
-            sum * (std::numbers::pi_v<float> / count), std::clamp(mean, least, most)};
+    return {vec3(place.point.position), place.normal, sum * (std::numbers::pi_v<float> / count),
+            std::clamp(mean, least, most)};
 }
 
 }  // namespace
@@ -183,8 +184,7 @@ IrradianceCache fill_irradiance_cache(const Scene& scene, const Accel& accel,
                                       const CameraRays& camera, const TransportSettings& settings,
                                       std::size_t batch, int threads) {
     tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : threads);
-    return arena.execute(
-        [&] { return Filling(scene, accel, camera, settings, batch).fill(); });
+    return arena.execute([&] { return Filling(scene, accel, camera, settings, batch).fill(); });
 }
 
 }  // namespace rayshoot

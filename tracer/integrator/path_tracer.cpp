@@ -83,9 +83,8 @@ void PathTracer::emission(const Vertex& vertex, const Visit& visit, Sent& sent) 
     if (radiance == vec3(0)) return;
     const std::uint32_t light = lights_.light_of(primitive);
     if (visit.path.pdf > 0 && light != no_light) {
-        const float aimed = lights_.probability(light) *
-                            lights_.pdf(light, dvec3(visit.ray.origin), vertex.point,
-                                        visit.ray.time);
+        const float aimed = lights_.probability(light) * lights_.pdf(light, dvec3(visit.ray.origin),
+                                                                     vertex.point, visit.ray.time);
         radiance = radiance * power_heuristic(visit.path.pdf, aimed);
     }
     sent.radiance(visit.path, radiance);
@@ -95,8 +94,8 @@ void PathTracer::light(const Vertex& vertex, const Visit& visit, Sent& sent) con
     if (vertex.bsdf.only_deltas()) return;
     const Lights::Choice choice = lights_.choose(visit.number(Use::light_choice));
     if (choice.light == no_light) return;
-    const auto sample = lights_.sample(choice.light, vertex.point.position, visit.ray.time,
-                                       visit.pair(Use::light));
+    const auto sample =
+        lights_.sample(choice.light, vertex.point.position, visit.ray.time, visit.pair(Use::light));
     if (!sample) return;
     vec3 reflected = vertex.bsdf.evaluate(sample->direction);
     if (reflected == vec3(0)) return;
@@ -104,16 +103,15 @@ void PathTracer::light(const Vertex& vertex, const Visit& visit, Sent& sent) con
     if (sample->pdf > 0 && could_be_met) {
         const float met = vertex.bsdf.pdf(sample->direction);
         const vec3 matt = vertex.matt(sample->direction, reflected);
-        reflected = matt + (reflected - matt) *
-                               power_heuristic(sample->pdf * choice.probability, met);
+        reflected =
+            matt + (reflected - matt) * power_heuristic(sample->pdf * choice.probability, met);
     }
     sent.shadow(choice.light, shadow_ray(vertex.point, *sample, visit.ray.time), visit.path,
                 reflected * sample->incident / choice.probability);
 }
 
 void PathTracer::scatter(const Vertex& vertex, const Visit& visit, Sent& sent) const {
-    const auto sample =
-        vertex.bsdf.sample(visit.number(Use::lobe_choice), visit.pair(Use::lobe));
+    const auto sample = vertex.bsdf.sample(visit.number(Use::lobe_choice), visit.pair(Use::lobe));
     if (!sample) return;
     Path path = visit.path;
     path.throughput = path.throughput * sample->weight;
@@ -129,8 +127,8 @@ void PathTracer::scatter(const Vertex& vertex, const Visit& visit, Sent& sent) c
         path.throughput = path.throughput / survival;
     }
     if (path.throughput == vec3(0)) return;
-    const bool through = dot(sample->in, vertex.point.geometric) *
-                             dot(vertex.out, vertex.point.geometric) < 0;
+    const bool through =
+        dot(sample->in, vertex.point.geometric) * dot(vertex.out, vertex.point.geometric) < 0;
     path.cause = through ? Cause::refraction : Cause::reflection;
     Ray ray;
     ray.origin = spawn_origin(vertex.point, sample->in);

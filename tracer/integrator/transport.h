@@ -26,11 +26,11 @@ inline constexpr int largest_light_samples = 4096, largest_gather = 65536;
 struct TransportSettings {
     Method method = Method::whitted;
     Rules rules = Rules::spd_readme;  ///< of whitted
-    /// Levels of the tree of rays; the camera ray's is 1. 0: 5 of whitted, as the SPD rules have it,
-    /// 32 of the others, which roulette ends earlier.
+    /// Levels of the tree of rays; the camera ray's is 1. 0: 5 of whitted, as the SPD rules have
+    /// it, 32 of the others, which roulette ends earlier.
     int depth = 0;
-    int light_samples = 0;            ///< shadow rays to each lamp of a size; 0: as the scene says
-    int roulette_level = 4;           ///< from which level on paths may be ended by chance
+    int light_samples = 0;     ///< shadow rays to each lamp of a size; 0: as the scene says
+    int roulette_level = 4;    ///< from which level on paths may be ended by chance
     int gather = 256;          ///< of irradiance: rays that make one record
     float cache_error = 0.2f;  ///< of irradiance: Ward's estimate, (0, 1]
 };

@@ -16,9 +16,9 @@ void Whitted::shade(const Visit& visit, Sent& sent) const {
         return;
     }
     const Shade shade = make_shade(scene_, settings_.rules, visit.ray, visit.hit);
-    sent.radiance(visit.path, ambient(scene_, *shade.material) +
-                                  lights_.emitted(visit.hit.primitive, shade.point,
-                                                  -shade.incoming));
+    sent.radiance(visit.path,
+                  ambient(scene_, *shade.material) +
+                      lights_.emitted(visit.hit.primitive, shade.point, -shade.incoming));
     light(shade, visit, sent);
     if (visit.depth < levels(settings_)) spawn(shade, visit, sent);
 }
@@ -38,9 +38,8 @@ void Whitted::light(const Shade& shade, const Visit& visit, Sent& sent) const {
 void Whitted::light_by_lamp(std::uint32_t light, const Shade& shade, const Visit& visit,
                             Sent& sent) const {
     const Light& lamp = scene_.lights[light];
-    const LampParts parts = settings_.light_samples > 0
-                                ? LampParts::of(settings_.light_samples)
-                                : LampParts{lamp.strata_u, lamp.strata_v};
+    const LampParts parts = settings_.light_samples > 0 ? LampParts::of(settings_.light_samples)
+                                                        : LampParts{lamp.strata_u, lamp.strata_v};
     const float share = 1.0f / static_cast<float>(parts.count());
     const bool highlight = lamp.primitives.empty();
     for (int part = 0; part < parts.count(); ++part) {

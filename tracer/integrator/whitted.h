@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tracer/integrator/transport.h"
 #include "tracer/integrator/lamp_parts.h"
+#include "tracer/integrator/transport.h"
 #include "tracer/light/lights.h"
 
 namespace rayshoot {
