@@ -31,8 +31,10 @@ bool TileTracer::sample_round(int round, std::span<const Pixel> tile) {
     exposed_.clear();
     pixels_.clear();
     for (std::uint32_t pixel = 0; pixel < tile.size(); ++pixel) {
-        const int count = samples_of(round, states_[pixel].seen);
-        if (count == 0) continue;
+        PixelState& state = states_[pixel];
+        const int count = state.done ? 0 : samples_of(round, state.seen);
+        state.done = count == 0;
+        if (state.done) continue;
         const Sampler& numbers = sampler(count, round);
         for (int sample = 0; sample < count; ++sample) {
             const CameraSample made =

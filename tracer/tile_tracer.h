@@ -33,7 +33,8 @@ public:
 private:
     struct PixelState {
         SampleStatistics seen;
-        int taken = 0;  ///< samples that went to the film
+        int taken = 0;      ///< samples that went to the film
+        bool done = false;  ///< the stopping rule has said so, and is not asked again
     };
     const Sampler& sampler(int count, int round);
     int samples_of(int round, const SampleStatistics& seen) const;

@@ -44,7 +44,8 @@ void Wavefront::start(std::span<Shot> shots, int level, float pdf) {
     const Cause cause = level == 1 ? Cause::camera : Cause::reflection;
     for (std::uint32_t i = 0; i < shots.size(); ++i) {
         wave_.rays.push_back(shots[i].ray);
-        wave_.paths.push_back({.shot = i, .cause = cause, .pdf = pdf});
+        wave_.paths.push_back(
+            {.shot = i, .cause = cause, .pdf = pdf, .from = dvec3(shots[i].ray.origin)});
         sources_.push_back(shots[i].source);
     }
 }

@@ -83,8 +83,8 @@ void PathTracer::emission(const Vertex& vertex, const Visit& visit, Sent& sent) 
     if (radiance == vec3(0)) return;
     const std::uint32_t light = lights_.light_of(primitive);
     if (visit.path.pdf > 0 && light != no_light) {
-        const float aimed = lights_.probability(light) * lights_.pdf(light, dvec3(visit.ray.origin),
-                                                                     vertex.point, visit.ray.time);
+        const float aimed = lights_.probability(light) *
+                            lights_.pdf(light, visit.path.from, vertex.point, visit.ray.time);
         radiance = radiance * power_heuristic(visit.path.pdf, aimed);
     }
     sent.radiance(visit.path, radiance);
@@ -120,6 +120,7 @@ void PathTracer::scatter(const Vertex& vertex, const Visit& visit, Sent& sent) c
         path.throughput = path.throughput * share(all - vertex.matt(sample->in, all), all);
     }
     path.pdf = sample->delta ? 0 : sample->pdf;
+    path.from = vertex.point.position;
     path.place = visit.dimension(Use::lobe).child(0).place;
     if (visit.depth >= settings_.roulette_level) {
         const float survival = std::min(most_survival, largest(path.throughput));

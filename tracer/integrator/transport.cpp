@@ -21,7 +21,7 @@ void check(const char* what, int value, int least, int most) {
 
 std::unique_ptr<Integrator> make_integrator(const Scene& scene, const TransportSettings& settings,
                                             const IrradianceCache* cache) {
-    check("depth", levels(settings), 1, largest_depth);
+    check("depth", settings.depth, 0, largest_depth);
     check("light samples", settings.light_samples, 0, largest_light_samples);
     check("roulette level", settings.roulette_level, 1, largest_depth);
     check("gathered rays", settings.gather, 1, largest_gather);
