@@ -1,0 +1,30 @@
+#pragma once
+
+#include <ranges>
+#include <vector>
+
+#include "tests/tracer/sampling/chi_squared.h"
+#include "tracer/sampling/sampler.h"
+
+namespace rayshoot {
+
+inline constexpr Use every_use[] = {Use::pixel, Use::lens,        Use::time, Use::light_choice,
+                                    Use::light, Use::lobe_choice, Use::lobe, Use::roulette};
+static_assert(std::size(every_use) == uses);
+
+/// Each kind with each of the options that it has.
+inline std::vector<SamplerSettings> every_kind(int spp) {
+    using enum SamplerKind;
+    return {{random, spp},
+            {regular, spp},
+            {jitter, spp},
+            {gaussian, spp},
+            {sobol, spp},
+            {sobol, spp, true},
+            {jitter, spp, false, true},
+            {regular, spp, false, true}};
+}
+
+inline auto samples(int spp) { return std::views::iota(0u, static_cast<std::uint32_t>(spp)); }
+
+}  // namespace rayshoot
