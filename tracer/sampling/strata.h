@@ -24,7 +24,7 @@ public:
     }
     /// i / count for any i <= largest_count, without a division.
     constexpr std::uint32_t quotient(std::uint32_t i) const {
-        return static_cast<std::uint32_t>((std::uint64_t{i} * step_ + i) >> 56);
+        return static_cast<std::uint32_t>((i * (step_ >> 24) + i) >> 32);
     }
 
 private:

@@ -12,9 +12,12 @@ namespace {
 
 using Times = std::vector<std::uint16_t>;
 
-constexpr int candidates = 4;   // per prototype; the best is taken
-constexpr int swaps = 1 << 14;  // tried per candidate: plenty for 16 x 16 strata; with 256 x 256
-                                // a random permutation's correlation is below 0.02 anyway
+/// Made per prototype until one is good enough, else the best of them is taken.
+constexpr std::uint64_t candidates = 64;
+constexpr double good_correlation = 0.02;
+/// Tried per stratum, and in all: with 256 x 256 strata few are needed, a random permutation's
+/// correlation is 0.004.
+constexpr std::uint64_t swaps_each = 64, most_swaps = 1 << 14;
 
 /// Sums of centred times over each column, or each row.
 struct Sums {
@@ -42,8 +45,8 @@ std::int64_t change(std::int64_t a, std::int64_t b, std::int64_t step) {
 void balance(Times& times, std::size_t across, std::uint64_t seed) {
     auto [columns, rows] = sums(times, across);
     const std::uint64_t size = times.size();
-    for (int i = 0; i < swaps; ++i) {
-        const std::uint64_t random = scrambled(seed + static_cast<std::uint64_t>(i));
+    for (std::uint64_t i = 0; i < std::min(swaps_each * size, most_swaps); ++i) {
+        const std::uint64_t random = scrambled(seed + i);
         const std::size_t a = (random >> 32) * size >> 32, b = (random & 0xffffffffu) * size >> 32;
         const std::int64_t step = 2 * (std::int64_t{times[b]} - times[a]);
         auto &column_a = columns[a % across], &column_b = columns[b % across];
@@ -80,10 +83,11 @@ bool monotone(const Times& times, std::size_t first, std::size_t step, std::size
     for (std::size_t i = 1; i < count; ++i) {
         rises += times[first + i * step] > times[first + (i - 1) * step];
     }
-    return count > 2 && (rises == 0 || rises == static_cast<int>(count) - 1);
+    return count > 3 && (rises == 0 || rises == static_cast<int>(count) - 1);
 }
 
-/// Rows and columns along which time only rises, or only falls.
+/// Rows and columns of four or more along which time only rises, or only falls. (Of three, the
+/// balanced ones are all turns of the magic square of order 3, which has such a row.)
 int monotone_lines(const Times& times, std::size_t across) {
     const std::size_t down = times.size() / across;
     int lines = 0;
@@ -108,7 +112,8 @@ Times made_prototype(int across, int down, std::uint64_t seed) {
         return std::pair(monotone_lines(times, columns), largest_correlation(times, across, down));
     };
     Times best = candidate(columns, size, scrambled(seed));
-    for (std::uint64_t i = 1; i < candidates; ++i) {
+    for (std::uint64_t i = 1; i < candidates && badness(best) > std::pair(0, good_correlation);
+         ++i) {
         Times next = candidate(columns, size, scrambled(seed + i));
         if (badness(next) < badness(best)) best = std::move(next);
     }

