@@ -50,16 +50,18 @@ Filter::Filter(const FilterSettings& settings) : settings_(settings) {
 bool Filter::separable() const { return shape::separable(settings_.kind); }
 
 double Filter::profile(double distance) const {
-    return shape::weight(settings_.kind, std::abs(distance) / settings_.radius);
+    const double radius = settings_.radius, at = std::abs(distance);
+    return at < radius ? shape::weight(settings_.kind, at / radius) : 0;
 }
 
 double Filter::operator()(double x, double y) const {
     const double radius = settings_.radius;
     if (!separable()) return profile(std::hypot(x, y));
-    const auto within = [radius](double at) { return at >= -radius && at < radius; };
-    if (!within(x) || !within(y)) return 0;
-    if (settings_.kind == FilterKind::box) return 1;
-    return profile(x) * profile(y);
+    const auto along_axis = [this, radius](double at) {
+        const bool inside = at >= -radius && at < radius;
+        return inside ? shape::weight(settings_.kind, std::abs(at) / radius) : 0;
+    };
+    return along_axis(x) * along_axis(y);
 }
 
 Filter::Offset Filter::importance(Pair pair) const {
@@ -81,7 +83,7 @@ Filter::Offset Filter::uniform(Pair pair) const {
     if (separable()) {
         offset = {radius * (2.0 * pair.u - 1), radius * (2.0 * pair.v - 1), 1};
     } else {
-        offset = polar(radius * std::sqrt(pair.u), pair.v);
+        offset = polar(radius * std::sqrt(double{pair.u}), pair.v);
         area = std::numbers::pi * radius * radius;
     }
     offset.weight = (*this)(offset.x, offset.y) * area / integral_;

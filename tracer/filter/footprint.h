@@ -42,7 +42,7 @@ private:
     void weigh_square(const Cover& cover, double x, double y, float* weights) const;
 
     double radius_;
-    bool separable_, constant_;  ///< constant: a box, whose edges count
+    bool separable_;
     int border_;
     std::vector<Piece> table_;
 };

@@ -155,7 +155,6 @@ bool separable(FilterKind kind) {
 }
 
 double weight(FilterKind kind, double s) {
-    if (!(s < 1)) return 0;
     return of(kind, [s](auto shape) { return shape.weight(s); });
 }
 

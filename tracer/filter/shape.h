@@ -8,7 +8,7 @@ namespace rayshoot::shape {
 
 bool separable(FilterKind kind);
 
-/// The weight at s; 1 at 0, but 8/9 for mitchell. 0 from s = 1 on.
+/// The weight at s; 1 at 0, but 8/9 for mitchell. Some step to 0 beyond s = 1.
 double weight(FilterKind kind, double s);
 
 /// Of the weight, and of its magnitude: over the disc, or over [-1, 1] of one axis.

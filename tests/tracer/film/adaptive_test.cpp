@@ -81,7 +81,7 @@ TEST(AdaptiveSampling, stops_after_the_first_round_where_samples_agree) {
 
 TEST(AdaptiveSampling, takes_no_more_than_the_most) {
     const AdaptiveSampling rule({.least = 8, .round = 5, .most = 64});
-    const auto noise = [](const Numbers& random) { return random.number(0) < 0.5f ? 0.0 : 1.0; };
+    const auto noise = [](const Numbers& random) { return double{random.number(0)}; };
     for (std::uint32_t pixel = 0; pixel < 100; ++pixel) {
         EXPECT_EQ(sampled(rule, noise, pixel).traced, 64);
     }
@@ -139,7 +139,9 @@ TEST(AdaptiveSampling, errors_meet_the_tolerance) {
 }
 
 constexpr double chance = 0.02;  ///< of a sample that meets a small bright thing
-double rare(const Numbers& random) { return random.number(0) < static_cast<float>(chance) ? 1.0 : 0.0; }
+double rare(const Numbers& random) {
+    return random.number(0) < static_cast<float>(chance) ? 1.0 : 0.0;
+}
 
 SampleStatistics statistics(int events, int count) {
     SampleStatistics result;

@@ -91,11 +91,13 @@ TEST(Film, images_may_be_taken_while_lanes_add) {
     const std::vector<Tile> tiles = make_tiles(film, way, {.spp = 4, .flat = true});
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t tile) {
         film.add(tile, tiles[tile]);
-        for (const vec3& pixel : film.image().pixels()) {
+        const Image image = film.image();
+        for (const vec3& pixel : image.pixels()) {
             ASSERT_TRUE(pixel == vec3(0) || pixel == film_tests::flat_light);
         }
     });
-    for (const vec3& pixel : film.image().pixels()) EXPECT_EQ(pixel, film_tests::flat_light);
+    const Image image = film.image();
+    for (const vec3& pixel : image.pixels()) EXPECT_EQ(pixel, film_tests::flat_light);
 }
 
 TEST(Film, an_empty_film_is_black) {

@@ -32,7 +32,8 @@ bool divides(const Way& way) {
 }
 
 void expect_flat(const Way& way, const Sampling& sampling) {
-    for (const vec3& pixel : imaged(way, 40, 30, sampling).pixels()) {
+    const Image image = imaged(way, 40, 30, sampling);
+    for (const vec3& pixel : image.pixels()) {
         ASSERT_EQ(pixel, flat_light) << way.label() << ", spp " << sampling.spp;
     }
 }
@@ -62,7 +63,8 @@ TEST(Reconstruction, a_flat_field_is_flat_but_for_rounding_by_importance) {
     for (const Way& way : every_way()) {
         if (way.reconstruction != Reconstruction::importance) continue;
         if (Filter(way.filter).negative_lobes()) continue;
-        for (const vec3& pixel : imaged(way, 40, 30, {.spp = 9, .flat = true}).pixels()) {
+        const Image image = imaged(way, 40, 30, {.spp = 9, .flat = true});
+        for (const vec3& pixel : image.pixels()) {
             for (int i = 0; i < 3; ++i) EXPECT_NEAR(pixel[i] / flat_light[i], 1, 10 * 0x1p-24);
         }
     }

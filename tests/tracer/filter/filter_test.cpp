@@ -6,6 +6,7 @@
 
 #include "tests/tracer/filter/filters.h"
 #include "tracer/filter/shape.h"
+#include "tracer/random.h"
 
 namespace rayshoot {
 namespace {
@@ -152,27 +153,33 @@ TEST(Filter, uniform_offsets_divide_the_area) {
     }
 }
 
-/// The mean over all pairs of weight * light is the filtered light, here of a quadratic one.
+/// The mean over random pairs of weight * light is the filtered light, here of a quadratic one.
+/// Null hypothesis: it is; a normal mean is off by more than 4.5 standard errors once in 10^5
+/// tests.
 TEST(Filter, weights_of_offsets_are_unbiased) {
+    constexpr int count = 200000;
     const auto light = [](double x, double y) { return 1 + 0.5 * x * x + 0.25 * x * y + y * y; };
-    constexpr int steps = 1000;
-    for (const Filter& filter : all_filters()) {
-        double importance = 0, uniform = 0;
-        for (int i = 0; i < steps; ++i) {
-            for (int j = 0; j < steps; ++j) {
-                const Pair pair{(static_cast<float>(i) + 0.5f) / steps,
-                                (static_cast<float>(j) + 0.5f) / steps};
-                const Filter::Offset a = filter.importance(pair), b = filter.uniform(pair);
-                importance += a.weight * light(a.x, a.y) / (steps * steps);
-                uniform += b.weight * light(b.x, b.y) / (steps * steps);
-            }
+    const auto expect_mean = [&](double wanted, auto&& offset, const std::string& what) {
+        double sum = 0, squares = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const RandomSequence random(5, 0, i);
+            const Filter::Offset at = offset({random.number(0), random.number(1)});
+            const double value = at.weight * light(at.x, at.y);
+            sum += value;
+            squares += value * value;
         }
-        const double filtered =
-            over_support(filter, [&](double x, double y) { return filter(x, y) * light(x, y); }) /
-            filter.integral();
-        // The midpoint rule; at the edges the quantile is steep, and steps are missed.
-        EXPECT_NEAR(importance / filtered, 1, 2e-3) << label(filter);
-        EXPECT_NEAR(uniform / filtered, 1, 2e-3) << label(filter);
+        const double mean = sum / count;
+        const double error = std::sqrt((squares / count - mean * mean) / count);
+        EXPECT_NEAR(mean, wanted, 4.5 * error) << what;
+        EXPECT_LT(error, 0.01 * wanted) << what << ": tells nothing";
+    };
+    for (const Filter& filter : all_filters()) {
+        const auto weighted = [&](double x, double y) { return filter(x, y) * light(x, y); };
+        const double filtered = over_support(filter, weighted) / filter.integral();
+        expect_mean(
+            filtered, [&](Pair u) { return filter.importance(u); }, label(filter));
+        expect_mean(
+            filtered, [&](Pair u) { return filter.uniform(u); }, label(filter));
     }
 }
 
