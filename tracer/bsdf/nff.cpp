@@ -89,6 +89,11 @@ float Nff::pdf(const vec3& out, const vec3& in) const {
 
 bool Nff::only_deltas() const { return sharp_ && share_.diffuse == 0 && share_.highlight == 0; }
 
+LobeSample Nff::sharp_reflection(const vec3& out, float probability) const {
+    const float share = share_.mirror + (totally_reflected(out) ? share_.passing : 0);
+    return {mirrored(out), vec3(share / probability), 0, true};
+}
+
 LobeSample Nff::sharp_refraction(const vec3& out, float probability) const {
     const float cosine = refraction(out.z, index_).transmitted_cosine;
     const vec3 in = refracted(out, {0, 0, 1}, out.z, index_, cosine);
@@ -100,28 +105,27 @@ vec3 Nff::blurred_refraction(const vec3& out, Pair pair) const {
     const vec3 facet = facets_.visible_normal(out, pair);
     const float cosine = dot(out, facet);
     const auto [reflectance, transmitted_cosine] = refraction(cosine, index_);
-    if (reflectance == 1) return {0, 0, 1};  // no way through this facet: above, where pdf decides
+    if (reflectance == 1) return {0, 0, 1};  // no way through this facet
     return refracted(out, facet, cosine, index_, transmitted_cosine);
 }
 
 std::optional<LobeSample> Nff::sample(const vec3& out, float choice, Pair pair) const {
     const Parts by = probabilities(out);
+    const float reflecting = by.diffuse + by.highlight + by.mirror;
     vec3 in;
     if (choice < by.diffuse) {
         in = cosine_hemisphere(pair);
     } else if (choice < by.diffuse + by.highlight) {
         in = highlight_.sample(out, pair);
-    } else if (choice < by.diffuse + by.highlight + by.mirror) {
-        const float share = share_.mirror + (totally_reflected(out) ? share_.passing : 0);
-        if (sharp_) return LobeSample{mirrored(out), vec3(share / by.mirror), 0, true};
+    } else if (choice < reflecting) {
+        if (sharp_) return sharp_reflection(out, by.mirror);
         in = blur_.sample(out, pair);
-    } else if (by.passing > 0) {
+    } else {
+        if (!(by.passing > 0)) return std::nullopt;
         if (sharp_) return sharp_refraction(out, by.passing);
         in = blurred_refraction(out, pair);
-        if (in.z > 0) return std::nullopt;
-    } else {
-        return std::nullopt;
     }
+    if ((choice < reflecting) != (in.z > 0)) return std::nullopt;  // clipped at the surface
     const float density = pdf(out, in);
     if (!(density > 0)) return std::nullopt;
     return LobeSample{in, evaluate(out, in) / density, density};

@@ -40,7 +40,9 @@ private:
     /// Whether Snell's law has no direction beyond for one on the near side, or, z < 0, the far
     /// one.
     bool totally_reflected(const vec3& direction) const;
+    LobeSample sharp_reflection(const vec3& out, float probability) const;
     LobeSample sharp_refraction(const vec3& out, float probability) const;
+    /// z > 0 if there is none.
     vec3 blurred_refraction(const vec3& out, Pair pair) const;
 
     Parts share_;
