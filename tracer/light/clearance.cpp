@@ -53,8 +53,7 @@ void Clearance::end(LightSample& sample, const dvec3& from, const dvec3& positio
     sample.point = position;
     if (!exists_) return;
     const dvec3 travelled = position - from;
-    const double error =
-        fixed_ + by_distance_ * taxicab(travelled) + by_position_ * taxicab(position);
+    const double error = at(position) + by_distance_ * taxicab(travelled);
     const double offset = std::min(error, largest_offset * (taxicab(from) + taxicab(position)));
     sample.point = position + normal * offset;
     const double height = -dot(travelled, normal);

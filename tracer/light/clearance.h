@@ -16,6 +16,8 @@ public:
     Clearance() = default;
     Clearance(const Geometry& geometry, std::span<const std::uint32_t> primitives);
 
+    /// How far off the light its primitives' tests, and SurfacePoint, may place a point of it.
+    double at(const dvec3& position) const { return fixed_ + by_position_ * taxicab(position); }
     /// Sets point and end of `sample` to those of a ray from `from` to the light's point `position`
     /// of unit normal `normal`, turned to `from`.
     void end(LightSample& sample, const dvec3& from, const dvec3& position,

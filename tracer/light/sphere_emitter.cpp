@@ -11,8 +11,8 @@ namespace rayshoot {
 namespace {
 
 /// A point as near to the surface as this may be of the surface itself, which does not light itself
-/// from outside.
-constexpr double surface_slack = 0x1p-20;  // of the radius
+/// from outside. SurfacePoint knows the place in double; but of movers by their rotation in float.
+constexpr double surface_slack = 0x1p-36;  // of the radius
 
 }  // namespace
 
@@ -30,17 +30,19 @@ dvec3 SphereEmitter::centre(float time) const {
 
 /// On the surface the far end is met through the sphere: what lies above the surface there sees
 /// none of it, what lies below all that a hemisphere holds.
-SphereEmitter::Aspect SphereEmitter::aspect(const dvec3& axis) const {
+SphereEmitter::Aspect SphereEmitter::aspect(const dvec3& from, const dvec3& centre) const {
+    const dvec3 axis = centre - from;
     const double radius = light_.radius, distance_squared = dot(axis, axis);
     const double sine_squared = radius * radius / distance_squared;
-    if (std::abs(sine_squared - 1) <= 2 * surface_slack) return {1, true};
+    const double slack = motion_ ? clearance_.at(centre) / radius : surface_slack;
+    if (std::abs(sine_squared - 1) <= 2 * slack) return {1, true};
     if (sine_squared < 1) return {cap_height(sine_squared), false};
     return {2, true};
 }
 
 std::optional<LightSample> SphereEmitter::sample(const dvec3& from, float time, Pair pair) const {
     const dvec3 middle = centre(time), axis = middle - from;
-    const auto [height, far_end] = aspect(axis);
+    const auto [height, far_end] = aspect(from, middle);
     const double distance = length(axis), radius = light_.radius;
     const dvec3 unit_axis = distance > 0 ? axis / distance : dvec3(0, 0, 1);
     const dvec3 direction =
@@ -65,7 +67,7 @@ std::optional<LightSample> SphereEmitter::sample(const dvec3& from, float time, 
 
 /// From outside the side that is turned away is never sampled.
 float SphereEmitter::pdf(const dvec3& from, const SurfacePoint& at, float time) const {
-    const auto [height, far_end] = aspect(centre(time) - from);
+    const auto [height, far_end] = aspect(from, centre(time));
     const bool turned_here = dot(at.position - from, dvec3(at.geometric)) < 0;
     return far_end || turned_here ? uniform_cone_pdf(height) : 0;
 }

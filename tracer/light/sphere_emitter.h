@@ -24,7 +24,7 @@ private:
         double height;  ///< 1 - cos of the cone of directions that meet it; 2: all
         bool far_end;   ///< the light's point is where a direction leaves the sphere
     };
-    Aspect aspect(const dvec3& axis) const;
+    Aspect aspect(const dvec3& from, const dvec3& centre) const;
     dvec3 centre(float time) const;
 
     const Light& light_;

@@ -67,9 +67,9 @@ TEST(Fresnel, bends_by_snells_law) {
     EXPECT_LT(in.z, 0);
 }
 
-double sphere_integral(auto&& density, int cuts = 4) {
+double sphere_integral(auto&& density) {
     double sum = 0;
-    for (const double part : SphereBins::integrals(density, cuts)) sum += part;
+    for (const double part : SphereBins::integrals(density)) sum += part;
     return sum;
 }
 
@@ -103,13 +103,24 @@ TEST(Ggx, lambda_is_smiths_integral) {
     EXPECT_EQ(facets.lambda(direction), facets.lambda(-direction));
 }
 
+/// At right angles and alpha = 1: D = 1 / pi and G1 = 2 cos / (1 + cos), so the integral of D G1 /
+/// 4 is 1 - ln 2.
+TEST(Conductor, keeps_1_minus_ln_2_when_as_rough_as_can_be) {
+    const Conductor mirror(vec3(1), vec3(1), vec3(1e4f), 1);
+    const vec3 out(0, 0, 1);
+    const double albedo =
+        sphere_integral([&](const vec3& in) { return mirror.evaluate(out, in).x; });
+    EXPECT_NEAR(albedo, 1 - std::numbers::ln2, 5e-4);  // 4e-4 is absorbed
+}
+
 /// The table of README.md: what single scattering leaves of a white furnace.
 TEST(Conductor, loses_what_the_table_says) {
     struct Row {
         float alpha;
         double at_0, at_60, at_85;
     };
-    for (const Row& row : {Row{0.2f, 0, 0, 0}, Row{0.5f, 0, 0, 0}, Row{1.0f, 0, 0, 0}}) {
+    for (const Row& row : {Row{0.2f, 0.948, 0.895, 0.900}, Row{0.5f, 0.688, 0.698, 0.872},
+                           Row{1.0f, 0.307, 0.451, 0.780}}) {
         const Conductor mirror(vec3(1), vec3(1), vec3(1e4f), row.alpha);
         const auto albedo = [&](double degrees) {
             const vec3 out = looking(degrees);
@@ -235,14 +246,16 @@ TEST(Dielectric, narrow_facets_are_almost_sharp) {
     const Dielectric lobe(vec3(1), 1.5f, 2e-3f);
     Stream random(9);
     dvec3 up(0), down(0);
-    int mirrored_count = 0;
+    int mirrored_count = 0, sampled = 0;
     constexpr int count = 20'000;
     for (int i = 0; i < count; ++i) {
         const auto sample = lobe.sample(out, random.number(), random.pair());
-        ASSERT_TRUE(sample.has_value());
+        if (!sample) continue;
+        ++sampled;
         mirrored_count += sample->in.z > 0;
         (sample->in.z > 0 ? up : down) += dvec3(sample->in);
     }
+    EXPECT_GT(sampled, count - 10);  // few facets stand so steep that light goes astray
     EXPECT_NEAR(static_cast<double>(mirrored_count) / count, fresnel_truth(out.z, 1.5), 0.01);
     EXPECT_LT(length(normalised(up) - dvec3(mirrored(out))), 2e-3);
     const double cosine = refraction(out.z, 1.5f).transmitted_cosine;

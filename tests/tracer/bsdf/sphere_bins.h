@@ -1,7 +1,6 @@
 #pragma once
 
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,42 +30,40 @@ public:
         return place(polar / pi, rows) * columns + place(turn, columns);
     }
 
-    /// Of a density per solid angle, over each bin. By Gauss quadrature in `cuts`^2 parts of it.
+    /// Of a density per solid angle, over each bin: by the midpoints of `cuts`^2 parts, which takes
+    /// the jumps that some densities have as it takes the rest.
     template <class Density>
-    static std::vector<double> integrals(Density&& density, int cuts = 3) {
-        std::vector<double> result;
-        for (std::size_t row = 0; row < rows; ++row)
-            for (std::size_t column = 0; column < columns; ++column)
-                result.push_back(integral(density, row, column, cuts));
+    static std::vector<double> integrals(Density&& density, std::size_t cuts = 50) {
+        constexpr double pi = std::numbers::pi;
+        const std::vector<Turn> polar = turns(rows * cuts, 0, pi);
+        const std::vector<Turn> azimuth = turns(columns * cuts, -pi, pi);
+        const double step = pi / static_cast<double>(rows * cuts);
+        const double turn = 2 * pi / static_cast<double>(columns * cuts);
+        std::vector<double> result(rows * columns);
+        for (std::size_t i = 0; i < polar.size(); ++i) {
+            const double area = step * turn * polar[i].sine;
+            for (std::size_t j = 0; j < azimuth.size(); ++j) {
+                const vec3 direction(dvec3(polar[i].sine * azimuth[j].cosine,
+                                           polar[i].sine * azimuth[j].sine, polar[i].cosine));
+                result[i / cuts * columns + j / cuts] += area * density(direction);
+            }
+        }
         return result;
     }
 
 private:
-    template <class Density>
-    static double integral(Density& density, std::size_t row, std::size_t column, int cuts) {
-        constexpr double pi = std::numbers::pi;
-        using Rule = boost::math::quadrature::gauss<double, 7>;
-        const double step = pi / rows / cuts, turn = 2 * pi / columns / cuts;
-        double sum = 0;
-        for (int i = 0; i < cuts; ++i) {
-            for (int j = 0; j < cuts; ++j) {
-                const double polar = pi * static_cast<double>(row) / rows + i * step;
-                const double azimuth =
-                    2 * pi * static_cast<double>(column) / columns - pi + j * turn;
-                const auto at = [&](double theta, double phi) {
-                    const vec3 direction(dvec3(std::sin(theta) * std::cos(phi),
-                                               std::sin(theta) * std::sin(phi), std::cos(theta)));
-                    return density(direction) * std::sin(theta);
-                };
-                sum += Rule::integrate(
-                    [&](double theta) {
-                        return Rule::integrate([&](double phi) { return at(theta, phi); }, azimuth,
-                                               azimuth + turn);
-                    },
-                    polar, polar + step);
-            }
+    struct Turn {
+        double cosine, sine;
+    };
+    /// Of the middles of so many steps.
+    static std::vector<Turn> turns(std::size_t count, double from, double to) {
+        std::vector<Turn> all;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+            const double angle = from + (to - from) * share;
+            all.push_back({std::cos(angle), std::sin(angle)});
         }
-        return sum;
+        return all;
     }
 };
 

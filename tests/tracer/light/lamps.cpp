@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace rayshoot::tracer_tests {
 namespace {
@@ -62,30 +63,40 @@ std::unique_ptr<Lamp> of_sphere(float size, const vec3& at) {
     return finished("sphere", std::move(builder), sphere_light(at, size), 4 * pi_ * size * size);
 }
 
-/// A pyramid's four faces and a needle a hundred times as long as wide.
-std::unique_ptr<Lamp> of_mesh(float size, const vec3& at) {
-    const std::array<vec3, 4> base{vec3(1, 0, 1), vec3(1, 0, -1), vec3(-1, 0, -1), vec3(-1, 0, 1)};
-    const vec3 top = at + size * vec3(0.2f, 0.8f, 0.1f);
+std::unique_ptr<Lamp> of_mesh(std::string name, std::span<const std::array<vec3, 3>> triangles,
+                              float size, const vec3& at) {
     GeometryBuilder builder;
     double area = 0;
-    const auto add = [&](const vec3& a, const vec3& b, const vec3& c) {
-        builder.add_triangle(a, b, c);
-        area += length(cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a))) / 2;
-    };
-    for (std::size_t i = 0; i < 4; ++i)
-        add(at + size * base[i], at + size * base[(i + 1) % 4], top);
-    const vec3 end = at + size * vec3(3, 0.1f, 0.2f);
-    add(at - size * vec3(3, 0, 0), end, end + size * vec3(0, 0, -0.06f));
+    for (const auto& [a, b, c] : triangles) {
+        builder.add_triangle(at + size * a, at + size * b, at + size * c);
+        area += size * size * length(cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a))) / 2;
+    }
     Light light;
     light.kind = LightKind::triangles;
-    return finished("mesh", std::move(builder), light, area);
+    return finished(std::move(name), std::move(builder), light, area);
+}
+
+std::unique_ptr<Lamp> of_pyramid(float size, const vec3& at) {
+    const std::array<vec3, 4> base{vec3(1, 0, 1), vec3(1, 0, -1), vec3(-1, 0, -1), vec3(-1, 0, 1)};
+    std::vector<std::array<vec3, 3>> faces;
+    for (std::size_t i = 0; i < 4; ++i)
+        faces.push_back({base[i], base[(i + 1) % 4], vec3(0.2f, 0.8f, 0.1f)});
+    return of_mesh("pyramid", faces, size, at);
+}
+
+/// A hundred times as long as wide.
+std::unique_ptr<Lamp> of_needle(float size, const vec3& at) {
+    const std::array<std::array<vec3, 3>, 1> needle{
+        {{vec3(-3, 0, 0), vec3(3, 0.1f, 0.2f), vec3(3, 0.1f, 0.14f)}}};
+    return of_mesh("needle", needle, size, at);
 }
 
 }  // namespace
 
 std::vector<std::unique_ptr<Lamp>> lamps(float size, const vec3& at) {
     std::vector<std::unique_ptr<Lamp>> all;
-    for (const auto make : {of_polygon, of_two_triangles, of_disc, of_sphere, of_mesh})
+    for (const auto make :
+         {of_polygon, of_two_triangles, of_disc, of_sphere, of_pyramid, of_needle})
         all.push_back(make(size, at));
     return all;
 }
