@@ -2,17 +2,12 @@
 #include "bench/commands/command.h"
 #include "bench/comparison/document.h"
 #include "bench/comparison/specimen.h"
-#include "bench/heatmap/cost_map.h"
-#include "bench/output/machine.h"
-#include "bench/output/progress.h"
-#include "bench/output/whole_file.h"
+#include "bench/heatmap/heat_maps.h"
 #include "data/scenes.h"
-#include "tracer/colour_bar.h"
-#include "tracer/colour_map.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
+#include <cmath>
 #include <ostream>
 
 /// `rayshoot heatmap`: what each pixel costs, in one scale of colours for all structures.
@@ -20,7 +15,6 @@ namespace rayshoot {
 namespace {
 
 using Json = nlohmann::ordered_json;
-namespace fs = std::filesystem;
 
 struct HeatmapArguments {
     std::string scene, quantity = "tests", size, spacing = "linear", out;
@@ -31,14 +25,6 @@ struct HeatmapArguments {
     bool json = false;
 };
 
-/// The maps of all structures, and what they are maps of.
-struct HeatMaps {
-    Cost cost;
-    std::vector<std::string> structures;  ///< canonical specs
-    std::vector<ScalarImage> maps;
-    ColourScale scale;
-};
-
 Spacing parse_spacing(const std::string& name) {
     if (name == "linear") return Spacing::linear;
     if (name == "log") return Spacing::logarithmic;
@@ -47,74 +33,25 @@ Spacing parse_spacing(const std::string& name) {
 
 void require_valid(const HeatmapArguments& arguments, const Catalogue& catalogue) {
     for (const std::string& spec : arguments.structures) require_spec(catalogue, spec);
-    if (arguments.top && !(*arguments.top > 0))
+    if (arguments.top && !(std::isfinite(*arguments.top) && *arguments.top > 0))
         throw std::invalid_argument(
-            "--top must be more than 0: it is the value of the last colour");
+            "--top must be a number above 0: it is the value of the last colour");
     if (arguments.repetitions < 1) throw std::invalid_argument("--repetitions must be 1 or more");
 }
 
-/// Round by round of each structure once, so that a machine that drifts drifts for all.
-std::vector<ScalarImage> measure(const Scene& scene,
-                                 const std::vector<std::unique_ptr<Accel>>& accels,
-                                 const RenderSettings& settings, Cost cost, int repetitions) {
-    const int rounds = cost == Cost::time ? repetitions : 1;  // counts repeat exactly
-    Progress progress(accels.size() * static_cast<std::size_t>(rounds));
-    std::vector<ScalarImage> maps;
-    for (int round = 0; round < rounds; ++round) {
-        for (std::size_t i = 0; i < accels.size(); ++i) {
-            progress.advance(accels[i]->spec());
-            ScalarImage map = cost_map(scene, *accels[i], settings, cost);
-            if (round == 0) maps.push_back(std::move(map));
-            else keep_least(maps[i], map);
-        }
-    }
-    return maps;
-}
-
-/// "bvh-leaf-2"; made different where specs differ in punctuation alone.
-std::vector<std::string> file_names(const std::vector<std::string>& structures) {
-    std::vector<std::string> names;
-    for (const std::string& spec : structures) {
-        std::string name = slug(spec);
-        for (int other = 2; std::ranges::count(names, name) > 0; ++other)
-            name = slug(spec) + "-" + std::to_string(other);
-        names.push_back(name);
-    }
-    return names;
-}
-
-/// Column x, column y, and a column for each structure.
-std::string to_csv(const HeatMaps& heat) {
-    Table heading{{"x", "y"}, {}};
-    heading.headings.insert(heading.headings.end(), heat.structures.begin(), heat.structures.end());
-    std::string text = to_csv(heading);
-    for (int y = 0; y < heat.maps.front().height(); ++y) {
-        for (int x = 0; x < heat.maps.front().width(); ++x) {
-            text += std::to_string(x) + "," + std::to_string(y);
-            for (const ScalarImage& map : heat.maps) text += "," + number_cell(map.at(x, y), 9);
-            text += "\r\n";
-        }
-    }
-    return text;
-}
-
-Json write_maps(const HeatMaps& heat, const fs::path& folder) {
-    const std::vector<std::string> names = file_names(heat.structures);
+Json write_maps(const HeatMaps& heat, const std::filesystem::path& folder) {
+    const std::vector<HeatMapFiles> files = write_heat_maps(heat, folder);
     Json rows = Json::array();
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        write_image(coloured(heat.maps[i], heat.scale), folder / (names[i] + ".png"));
-        write_image(grey(heat.maps[i]), folder / (names[i] + ".exr"));
+    for (std::size_t i = 0; i < files.size(); ++i) {
         const CostSummary summary = summarise(heat.maps[i]);
         rows.push_back({{"structure", heat.structures[i]},
                         {"sum", summary.sum},
                         {"mean", summary.mean},
                         {"largest", summary.largest},
                         {"largest_at", {summary.largest_at.x, summary.largest_at.y}},
-                        {"image", names[i] + ".png"},
-                        {"values", names[i] + ".exr"}});
+                        {"image", files[i].image},
+                        {"values", files[i].values}});
     }
-    write_image(colour_bar(heat.scale, heat.maps.front().width()), folder / "colour_bar.png");
-    write_whole_file(folder / "values.csv", to_csv(heat));
     return rows;
 }
 
@@ -138,7 +75,7 @@ std::string to_text(const Json& document) {
 
 Json heatmap_document(const HeatmapArguments& arguments, const Catalogue& catalogue) {
     require_valid(arguments, catalogue);
-    HeatMaps heat{cost_named(arguments.quantity), {}, {}, {}};
+    const Cost cost = cost_named(arguments.quantity);
     const Spacing spacing = parse_spacing(arguments.spacing);
     const Scene scene = load_scene(arguments.scene);
     const ImageFormat format = image_format(scene, arguments.size, arguments.spp);
@@ -146,23 +83,22 @@ Json heatmap_document(const HeatmapArguments& arguments, const Catalogue& catalo
     for (const std::string& spec : arguments.structures) {
         require_takes(catalogue, spec, scene);
         accels.push_back(build(catalogue, spec, build_input(scene, format)));
-        heat.structures.push_back(accels.back()->spec());
     }
-    fs::create_directories(arguments.out);  // before the long part, not after it
+    std::filesystem::create_directories(arguments.out);  // before the long part, not after it
     const RenderSettings settings = settings_by_pixel(format);
-    heat.maps = measure(scene, accels, settings, heat.cost, arguments.repetitions);
-    heat.scale = common_scale(heat.maps, spacing);
+    HeatMaps heat = measure_heat(scene, accels, settings, cost, arguments.repetitions);
+    heat.scale.spacing = spacing;
     if (arguments.top) heat.scale.high = *arguments.top;
     return {{"schema", schema_version},
             {"document", "heatmap"},
             {"scene", scene.name},
-            {"quantity", name_of(heat.cost)},
-            {"unit", unit_of(heat.cost)},
+            {"quantity", name_of(cost)},
+            {"unit", unit_of(cost)},
             {"width", format.width},
             {"height", format.height},
             {"spp", format.spp},
             {"batch", settings.batch},
-            {"repetitions", heat.cost == Cost::time ? Json(arguments.repetitions) : Json(nullptr)},
+            {"repetitions", cost == Cost::time ? Json(arguments.repetitions) : Json(nullptr)},
             {"scale",
              {{"low", heat.scale.low}, {"high", heat.scale.high}, {"spacing", arguments.spacing}}},
             {"structures", write_maps(heat, arguments.out)}};

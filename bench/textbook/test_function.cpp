@@ -105,24 +105,27 @@ void check_response(const Filter& filter, const std::string& name, Sheet& sheet)
                     "", "off by " + number_cell(largest, 2), agrees_if(largest <= allowed)});
 }
 
-void draw(const ScalarImage& sampled, const ScalarImage& boxed, const ScalarImage& weighted,
-          int edge, Sheet& sheet) {
-    const int fine_width = 10 * edge;
-    const Signal fine = [&](double x, double) {
-        return test_value(-half_range + 2 * half_range * x / fine_width);
-    };
+/// One row of pixels as a strip of squares.
+Image strip(const ScalarImage& row, int pixel_edge, int height) {
     constexpr double white = 0.5;  // f goes up to 2
-    sheet.add(Picture{"test_function_fine", "The test function as an image, finely sampled"},
-              greys(point_sampled(fine, fine_width, edge / 2), white));
-    const int factor = std::max(1, fine_width / pixels);
-    const auto strip = [&](const ScalarImage& row) {
-        ScalarImage tall(pixels, std::max(1, edge / 2 / factor));
-        for (int y = 0; y < tall.height(); ++y) {
-            for (int x = 0; x < pixels; ++x) tall.at(x, y) = row.at(x, 0);
-        }
-        return magnified(greys(tall, white), factor);
+    ScalarImage tall(row.width(), std::max(1, height / pixel_edge));
+    for (int y = 0; y < tall.height(); ++y) {
+        for (int x = 0; x < tall.width(); ++x) tall.at(x, y) = row.at(x, 0);
+    }
+    return magnified(greys(tall, white), pixel_edge);
+}
+
+void draw(std::span<const ScalarImage> rows, int edge, Sheet& sheet) {
+    constexpr int share_of_edge = 25;  // makes a picture 2.4 edges wide
+    const int pixel_edge = std::max(1, edge / share_of_edge), height = edge / 4;
+    const Signal raster = as_raster(test_value);
+    const Signal magnified_raster = [&](double x, double y) {
+        return raster(x / pixel_edge, y / pixel_edge);
     };
-    const std::array strips{strip(sampled), strip(boxed), strip(weighted)};
+    sheet.add(Picture{"test_function_fine", "The test function as an image, finely sampled"},
+              strip(point_sampled(magnified_raster, pixels * pixel_edge, 1), 1, height));
+    std::vector<Image> strips;
+    for (const ScalarImage& row : rows) strips.push_back(strip(row, pixel_edge, height));
     sheet.add(Picture{"test_function_pixels",
                       "61 pixels: point-sampled, box filter, raised cosine of radius 1.7"},
               tiled(strips, 1));
@@ -155,7 +158,7 @@ void test_function(const Studio& studio, Sheet& sheet) {
                     {row_of(sampled, "point-sampled", Series::Mark::line),
                      row_of(boxed, "box", Series::Mark::line),
                      row_of(weighted, "raised cosine, 1.7", Series::Mark::line)}});
-    draw(sampled, boxed, weighted, studio.edge, sheet);
+    draw(std::array{sampled, boxed, weighted}, studio.edge, sheet);
 
     check_shape(sheet);
     check_alias(sheet);
