@@ -37,7 +37,7 @@ public:
     void charge(const AnsweredBatch& answered) {
         if (answered.batch.kind == RayKind::camera) {
             const Source source = answered.batch.source.front();
-            // A wide filter's rays may pass outside the image.
+            // With a box filter all of them are of one cell, and inside the image.
             x_ = std::clamp<int>(source.cell_x(), 0, costs_.width() - 1);
             y_ = std::clamp<int>(source.cell_y(), 0, costs_.height() - 1);
         }
