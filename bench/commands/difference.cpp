@@ -52,7 +52,7 @@ Json to_json(const DifferenceArguments& arguments, const Image& image,
 
 std::string to_text(const ImageDifference& apart, double tolerance) {
     if (apart.agree() && apart.largest == 0) return "the images are equal\n";
-    const auto number = [](double value) { return number_cell(value, 6); };
+    const auto number = [](double value) { return short_number(value); };
     std::string text =
         std::to_string(apart.differing) + " of " + std::to_string(apart.pixels) + " pixels differ";
     if (tolerance > 0) text += " by more than " + number(tolerance);

@@ -58,14 +58,14 @@ Json write_maps(const HeatMaps& heat, const std::filesystem::path& folder) {
 std::string to_text(const Json& document) {
     Table table{{"structure", "sum", "mean", "largest", "at", "image"}, {}};
     for (const Json& row : document["structures"]) {
-        table.rows.push_back({row["structure"], number_cell(row["sum"].get<double>(), 12),
+        table.rows.push_back({row["structure"], short_number(row["sum"].get<double>(), 12),
                               number_cell(row["mean"].get<double>()),
-                              number_cell(row["largest"].get<double>()), row["largest_at"].dump(),
-                              row["image"]});
+                              short_number(row["largest"].get<double>(), 7),
+                              row["largest_at"].dump(), row["image"]});
     }
     const bool timed = document["quantity"] == "time";
     return document["unit"].get<std::string>() + " per pixel; one scale, 0 to " +
-           number_cell(document["scale"]["high"].get<double>()) + " (colour_bar.png)\n\n" +
+           short_number(document["scale"]["high"].get<double>(), 7) + " (colour_bar.png)\n\n" +
            to_text(table) +
            (timed
                 ? "\nThe least of all rounds. Batches of one pixel are slower than full ones, and "

@@ -32,7 +32,7 @@ std::string values_csv(const HeatMaps& heat) {
         for (int x = 0; x < heat.maps.front().width(); ++x) {
             text += std::to_string(x) + "," + std::to_string(y);
             for (const ScalarImage& map : heat.maps)
-                text += "," + number_cell(map.at(x, y), digits);
+                text += "," + short_number(map.at(x, y), digits);
             text += "\r\n";
         }
     }

@@ -89,6 +89,13 @@ std::string number_cell(std::optional<double> value, int digits) {
     return text;
 }
 
+std::string short_number(double value, int digits) {
+    if (!std::isfinite(value)) return not_measured;
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+}
+
 std::string to_text(const Table& table) {
     const auto widths = column_widths(table);
     const auto right = numeric_columns(table);

@@ -18,6 +18,10 @@ inline constexpr const char* not_measured = "n/a";
 /// `value` with `digits` significant digits and no exponent below 1e15, or n/a.
 std::string number_cell(std::optional<double> value, int digits = 4);
 
+/// `value` as short as `digits` significant digits allow, with an exponent where that is shorter:
+/// for files, whole numbers and rounding errors. Or n/a.
+std::string short_number(double value, int digits = 4);
+
 /// Columns padded to equal width, numbers to the right.
 std::string to_text(const Table& table);
 /// GitHub's pipes; pipes in cells are escaped.

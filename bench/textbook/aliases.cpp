@@ -51,15 +51,15 @@ void aliases(const Studio&, Sheet& sheet) {
                      curve("samples", high, 1, Series::Mark::points)}});
     const double at_samples = largest_difference(1);
     sheet.add(Check{"largest difference of the two sample sets: no more than rounding, " +
-                        number_cell(rounding, 2),
-                    "the same", number_cell(at_samples, 2), agrees_if(at_samples <= rounding)});
+                        short_number(rounding, 2),
+                    "the same", short_number(at_samples, 2), agrees_if(at_samples <= rounding)});
     const double between = largest_difference(points_per_sample);
-    sheet.add(Check{"largest difference of the two signals", "", number_cell(between, 3),
+    sheet.add(Check{"largest difference of the two signals", "", short_number(between, 3),
                     agrees_if(between > 1)});
     // The sampling theorem: more than twice the highest frequency, 17/16.
     const double finer = largest_difference(3);
     sheet.add(Check{"of samples at 3 a unit, more than twice the higher frequency", "not the same",
-                    number_cell(finer, 3), agrees_if(finer > 0.5)});
+                    short_number(finer, 3), agrees_if(finer > 0.5)});
 }
 
 }  // namespace rayshoot::textbook

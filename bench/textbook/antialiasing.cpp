@@ -12,7 +12,7 @@
 namespace rayshoot::textbook {
 namespace {
 
-constexpr const char* aliased_scene = "spd/teapot";  // edges, and a chequered floor to the horizon
+constexpr const char* aliased_scene = "spd/teapot";  // edges, and a chequered floor
 constexpr int supersamples = 9;                      // 3 x 3 strata of the pixel, box filter
 constexpr int reference_samples = 144;               // its own error is a tenth of what is measured
 constexpr int close_up_share = 8;  // of the picture's edge, and how much the close-up is enlarged
@@ -73,8 +73,8 @@ void antialiasing(const Studio& studio, Sheet& sheet) {
     // better.
     constexpr double without_strata = 3;
     sheet.add(Check{
-        "rms error of one sample over that of 3 x 3, at least " + number_cell(without_strata, 1),
-        "", number_cell(of_none / of_three, 3), agrees_if(of_none >= without_strata * of_three)});
+        "rms error of one sample over that of 3 x 3, at least " + short_number(without_strata), "",
+        number_cell(of_none / of_three, 3), agrees_if(of_none >= without_strata * of_three)});
 }
 
 }  // namespace rayshoot::textbook

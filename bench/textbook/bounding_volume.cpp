@@ -53,7 +53,7 @@ Geometry bounding_sphere(const Scene& scene) {
 }
 
 std::string per_ray(std::uint64_t tests, std::size_t rays) {
-    return number_cell(static_cast<double>(tests) / static_cast<double>(rays));
+    return short_number(static_cast<double>(tests) / static_cast<double>(rays));
 }
 
 }  // namespace

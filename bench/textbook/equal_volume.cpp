@@ -80,7 +80,7 @@ void equal_volume(const Studio& studio, Sheet& sheet) {
     constexpr double accuracy = 1e-6;
     const double each = 1.0 / (annuli * quadrants);
     sheet.add(Check{
-        "integral of each region, within " + number_cell(accuracy, 1), "1/16",
+        "integral of each region, within " + short_number(accuracy), "1/16",
         number_cell(least, 7) + " to " + number_cell(greatest, 7),
         agrees_if(regions.size() == 16 && least > each - accuracy && greatest < each + accuracy)});
     sheet.add(Check{"total integral, with k = " + number_cell(normalisation, 6), "1",

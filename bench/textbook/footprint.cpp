@@ -40,11 +40,11 @@ void footprint(const Studio& studio, Sheet& sheet) {
     for (const double weight : image.values()) volume += weight * dot_area(studio.edge);
     // The rule of dots: the weight falls to 0 with no slope, so no edge is cut.
     constexpr double last_digit = 0.005;
-    sheet.add(Check{"integral, summed over the picture", number_cell(published_integral, 3),
-                    number_cell(volume, 4),
+    sheet.add(Check{"integral, summed over the picture", short_number(published_integral, 3),
+                    short_number(volume, 4),
                     agrees_if(std::abs(volume - published_integral) <= last_digit)});
     sheet.add(Check{"weight in the middle, and at 1.7", "1, 0",
-                    number_cell(filter(0, 0)) + ", " + number_cell(filter(footprint_radius, 0)),
+                    short_number(filter(0, 0)) + ", " + short_number(filter(footprint_radius, 0)),
                     agrees_if(filter(0, 0) == 1 && filter(footprint_radius, 0) == 0)});
 }
 

@@ -129,7 +129,7 @@ void moire(const Studio& studio, Sheet& sheet) {
                        table});
     constexpr double much = 10;
     sheet.add(
-        Check{"box over raised cosine 1.7, energy of the alias: at least " + number_cell(much, 2),
+        Check{"box over raised cosine 1.7, energy of the alias: at least " + short_number(much),
               "weighted filters much better", number_cell(of_box / of_hann, 3),
               agrees_if(of_box > much * of_hann)});
 }

@@ -16,7 +16,7 @@ std::string to_csv(const std::vector<Series>& all) {
         const char* mark = series.mark == Series::Mark::line ? "line" : "points";
         for (const auto& [x, y] : series.values) {
             table.rows.push_back(
-                {series.name, mark, number_cell(x, digits), number_cell(y, digits)});
+                {series.name, mark, short_number(x, digits), short_number(y, digits)});
         }
     }
     return rayshoot::to_csv(table);

@@ -69,7 +69,7 @@ void check_shape(Sheet& sheet) {
     const double at_zeros = std::max(
         {test_value(zero), test_value(-zero), test_value(2 * zero), test_value(-2 * zero)});
     sheet.add(Check{"f(0), and f at 20 pi and 40 pi on either side", "",
-                    number_cell(test_value(0)) + ", " + number_cell(at_zeros, 2),
+                    short_number(test_value(0)) + ", " + short_number(at_zeros, 2),
                     agrees_if(test_value(0) == 1 && at_zeros < 1e-15)});
 }
 
@@ -83,9 +83,9 @@ void check_alias(Sheet& sheet) {
     constexpr double rounding_of_samples = 8 * 0x1p-53 * half_range;
     sheet.add(
         Check{"samples differ from those of a wave of " +
-                  number_cell(2 * std::numbers::pi / (2 * std::numbers::pi - pixel_width), 3) +
-                  " pixels by rounding alone, " + number_cell(rounding_of_samples, 2),
-              "the same", number_cell(largest, 2), agrees_if(largest <= rounding_of_samples)});
+                  short_number(2 * std::numbers::pi / (2 * std::numbers::pi - pixel_width), 3) +
+                  " pixels by rounding alone, " + short_number(rounding_of_samples, 2),
+              "the same", short_number(largest, 2), agrees_if(largest <= rounding_of_samples)});
 }
 
 /// 1 + sin x without its envelope comes through a filter with its amplitude times the response.
@@ -101,8 +101,8 @@ void check_response(const Filter& filter, const std::string& name, Sheet& sheet)
     // The lattice's own error: (pi cycles / subdivisions)^2 / 6 of the amplitude for the box.
     constexpr double allowed = 0.005;
     sheet.add(Check{name + ": 1 + sin x keeps its Fourier transform's share of its amplitude, " +
-                        number_cell(factor, 3) + ", within " + number_cell(allowed, 1),
-                    "", "off by " + number_cell(largest, 2), agrees_if(largest <= allowed)});
+                        short_number(factor, 3) + ", within " + short_number(allowed, 1),
+                    "", "off by " + short_number(largest, 2), agrees_if(largest <= allowed)});
 }
 
 /// One row of pixels as a strip of squares.
@@ -165,9 +165,9 @@ void test_function(const Studio& studio, Sheet& sheet) {
     check_response(box, "box", sheet);
     check_response(hann, "raised cosine, 1.7", sheet);
     const double of_box = ripple(boxed), of_hann = ripple(weighted);
-    sheet.add(Check{"rms distance from |sinc|: raised cosine against box",
+    sheet.add(Check{"rms distance from the envelope: raised cosine against box",
                     "weighted filters much better",
-                    number_cell(of_hann, 3) + " against " + number_cell(of_box, 3),
+                    short_number(of_hann, 3) + " against " + short_number(of_box, 3),
                     agrees_if(of_hann < of_box / 2)});
 }
 

@@ -19,6 +19,14 @@ TEST(NumberCell, has_the_significant_digits_asked_for) {
     EXPECT_EQ(number_cell(-2.5, 2), "-2.5");
 }
 
+TEST(ShortNumber, has_no_idle_zeros_and_shows_what_is_tiny) {
+    EXPECT_EQ(short_number(96), "96");
+    EXPECT_EQ(short_number(16777217, 9), "16777217");
+    EXPECT_EQ(short_number(2.75, 3), "2.75");
+    EXPECT_EQ(short_number(1.25e-14, 2), "1.2e-14");
+    EXPECT_EQ(short_number(std::numeric_limits<double>::infinity()), "n/a");
+}
+
 TEST(NumberCell, what_was_not_measured_is_not_zero) {
     EXPECT_EQ(number_cell(std::nullopt), "n/a");
     EXPECT_EQ(number_cell(std::numeric_limits<double>::quiet_NaN()), "n/a");
