@@ -56,7 +56,8 @@ void draw_text(Image& image, int x, int y, std::string_view text) {
 
 std::string label(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
+    // Three digits, and no exponent where whole numbers are as short.
+    std::snprintf(text, sizeof text, value >= 100 && value < 1e6 ? "%.0f" : "%.3g", value);
     return text;
 }
 
@@ -64,7 +65,7 @@ std::string label(double value) {
 int tick_count(const ColourScale& scale, int width) {
     const int widest = std::max(
         {text_width(label(scale.low)), text_width(label(scale.high)), text_width("-0.00")});
-    return std::clamp(width / (2 * widest), 2, 6);
+    return std::clamp(2 * width / (3 * widest), 2, 6);
 }
 
 }  // namespace

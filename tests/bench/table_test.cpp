@@ -23,7 +23,7 @@ TEST(ShortNumber, has_no_idle_zeros_and_shows_what_is_tiny) {
     EXPECT_EQ(short_number(96), "96");
     EXPECT_EQ(short_number(16777217, 9), "16777217");
     EXPECT_EQ(short_number(2.75, 3), "2.75");
-    EXPECT_EQ(short_number(1.25e-14, 2), "1.2e-14");
+    EXPECT_EQ(short_number(1.26e-14, 2), "1.3e-14");
     EXPECT_EQ(short_number(std::numeric_limits<double>::infinity()), "n/a");
 }
 

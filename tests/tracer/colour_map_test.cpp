@@ -103,10 +103,13 @@ TEST(ColourBar, shows_the_map_from_left_to_right_over_its_labels) {
     const Image bar = colour_bar({0, 1000}, 300);
     EXPECT_EQ(bar.width(), 300);
     for (int x = 0; x < 300; ++x) EXPECT_EQ(bar.at(x, 0), map_colour((x + 0.5) / 300)) << x;
-    int black = 0;
-    for (int y = 32; y < bar.height(); ++y) {
-        for (int x = 0; x < 300; ++x) black += bar.at(x, y) == vec3(0);
+    int black = 0, ticks = 0;
+    constexpr int below_bar = 24, below_ticks = 32;
+    for (int x = 0; x < 300; ++x) {
+        ticks += bar.at(x, below_bar) == vec3(0);
+        for (int y = below_ticks; y < bar.height(); ++y) black += bar.at(x, y) == vec3(0);
     }
+    EXPECT_GE(ticks, 3);
     EXPECT_GT(black, 100);
 }
 
