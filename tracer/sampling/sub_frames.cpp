@@ -122,7 +122,8 @@ Times made_prototype(int across, int down, std::uint64_t seed) {
 
 }  // namespace
 
-double largest_correlation(std::span<const std::uint16_t> times, int across, int down) {
+double largest_correlation(std::span<const std::uint16_t> times, int across,
+                           [[maybe_unused]] int down) {
     const auto [columns, rows] = sums(times, static_cast<std::size_t>(across));
     assert(rows.size() == static_cast<std::size_t>(down));
     return std::max(axis_correlation(columns, times.size()), axis_correlation(rows, times.size()));
