@@ -13,6 +13,7 @@
 
 #include "tests/data/temporary_folder.h"
 #include "tracer/image.h"
+#include "tracer/random.h"
 
 namespace rayshoot {
 namespace {
@@ -142,6 +143,32 @@ TEST_F(ReadImage, a_file_broken_off_anywhere_is_refused) {
             const fs::path part =
                 write(std::string("part") + extension, std::string_view(bytes).substr(0, length));
             EXPECT_NE(refusal(part), "") << extension << " of " << length << " bytes";
+        }
+    }
+}
+
+/// Either an image comes out, of a size that may be, or a refusal; never anything else.
+TEST_F(ReadImage, a_file_with_wrong_bytes_gives_an_image_or_a_refusal) {
+    constexpr std::uint32_t files = 200;
+    for (const char* extension : {".png", ".exr"}) {
+        const fs::path whole = path(std::string("whole") + extension);
+        write_image(ramps(), whole);
+        const std::string bytes = bytes_of(whole);
+        for (std::uint32_t file = 0; file < files; ++file) {
+            const RandomSequence random(20, file, 0);
+            std::string wrong = bytes;
+            for (std::uint32_t change = 0; change <= file % 4; ++change) {
+                // Two in three in what describes the image, at the front of the file.
+                const std::size_t range = random.bits(3 * change) % 3 ? 400 : wrong.size();
+                const std::size_t at = random.bits(3 * change + 1) % std::min(range, wrong.size());
+                wrong[at] = static_cast<char>(random.bits(3 * change + 2));
+            }
+            const fs::path changed = write(std::string("wrong") + extension, wrong);
+            try {
+                const Image image = read_image(changed);
+                EXPECT_GT(image.pixels().size(), 0u) << file;
+            } catch (const std::invalid_argument&) {
+            }
         }
     }
 }
