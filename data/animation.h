@@ -9,9 +9,10 @@ namespace rayshoot {
 
 /// Which picture of an animation, and how long it is exposed.
 struct Frame {
-    int number = 0;                 ///< 0 to of - 1
-    int of = 0;                     ///< frames of the whole animation; 0: as the file says
-    std::optional<double> shutter;  ///< share of a frame's time, 0 to 1; none: as the file says
+    int number = 0;  ///< 0 to of - 1
+    int of = 0;      ///< frames of the whole animation; 0: as the file says
+    std::optional<double> shutter =
+        std::nullopt;  ///< share of a frame's time, 0 to 1; none: as the file says
 };
 inline constexpr int most_frames = 1'000'000;
 

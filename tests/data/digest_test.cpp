@@ -75,6 +75,16 @@ TEST(SceneDigest, depends_on_everything_but_the_name) {
     expect_new(scene);
     scene.hierarchy->groups.push_back({Sphere{vec3(1), 2}, {}, {1}});
     expect_new(scene);
+    scene.camera.lens = Lens{0.1f, 2, 3, 0, 0};
+    expect_new(scene);
+    scene.camera.lens->blades = 5;
+    expect_new(scene);
+    scene.camera.motion = Motion{.translation = {vec3(0), vec3(1)}};
+    expect_new(scene);
+    scene.camera.shutter_close = 0.5f;
+    expect_new(scene);
+    scene.camera.shutter_open = 0.25f;
+    expect_new(scene);
     expect_new(read_nff(tiny, "a.nff", Precision::watertight));
 }
 

@@ -1,3 +1,4 @@
+#include "data/aff.h"
 #include "data/file.h"
 #include "data/mesh_catalogue.h"
 #include "data/nff.h"
@@ -99,6 +100,39 @@ TEST(Fuzz, nff) {
         nasty("cone_one_line.nff") +
         "p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\npp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n";
     fuzz(text, 1, 3000, [](const std::string& bytes) { return read_nff(bytes, "test"); });
+}
+
+TEST(Fuzz, nff_extension) {
+    const std::string text =
+        "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 64 32\n"
+        "shutter 0 0.5\nlens focal 0.5 stop 2.8 focus 5 blades 6\nvmove 0 0 0 1 0 0\n"
+        "light spot 0 0 0 0 0 1 20 30 1 1 1\nlight rectangle 0 2 0 1 0 0 0 0 2 7 7 7 visible\n"
+        "light sphere 5 5 5 2 1 2 3 strata 2 2\nsurface conductor roughness 0.25 eta 1 2 3\n"
+        "move 0 0 0 1 1 1\nturn 0 0 0 0 0 1 0 90\ns 0 0 0 1\nrest\n"
+        "surface lambert emission 1 1 1\np 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\ns 1 1 1 1\n";
+    fuzz(text, 9, 3000, [](const std::string& bytes) { return read_nff(bytes, "test"); });
+}
+
+TEST(Fuzz, aff) {
+    const std::string text =
+        "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 64 32\n"
+        "a 0 10 11\nla b 1 1 1\ni 0 test.part\nxs 1 2 1 0 0 1 30 1 0 0 {\nx a { x b {\n"
+        "i 0 test.part\np 3 0 0 0 1 0 0 0 1 0\n} s 0 0 0 0 }}\n"
+        "k a { transl 4\n-1 0 0 0 0 0 0\n0 0 0 0 0 0 0\n9 1 0 0 0 0 0\n19 1 0 0 0 0 0\n}\n"
+        "k b { rot 4\n-1 0 1 0 0 0 0 0\n0 0 1 0 0 0 0 0\n9 0 1 0 90 0 0 0\n19 0 1 0 90 0 0 0\n"
+        "visibility 2\n0 1\n5 0\n}\n";
+    const std::string part =
+        "fm 0 0 0 0.5 0.25 0 0.3 0.3 0.3 20 0 0\nm vertices 3\n0 0 0\n1 0 0\n0 1 0\n"
+        "normals 1\n0 0 1\ntexturecoords 1 a.ppm\n0 0\ntriangles 1\n0 1 2\n0 0 0\n0 0 0\n";
+    Mutator mutated_part(11);
+    const AffFiles files = [&](const std::string& path) {
+        if (path != "test.part") throw std::invalid_argument(path + ": there is no such file");
+        return mutated_part(part);
+    };
+    fuzz(text, 10, 3000, [&](const std::string& bytes) {
+        return aff_scene(read_aff_model(bytes, "test", files), "test", Precision::standard,
+                         {.number = 3});
+    });
 }
 
 TEST(Fuzz, obj) {

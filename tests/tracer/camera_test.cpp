@@ -3,6 +3,9 @@
 #include <cmath>
 #include <set>
 
+#include "accel/core/catalogue.h"
+#include "accel/core/promise.h"
+#include "tests/core/motions.h"
 #include "tracer/camera.h"
 #include "tracer/tiles.h"
 
@@ -86,6 +89,153 @@ TEST(Camera, samples_of_a_cell_fall_one_into_each_stratum) {
     EXPECT_EQ(strata.size(), 12u);
 }
 
+TEST(Camera, a_raster_point_without_lens_or_motion_is_the_pixels_ray) {
+    const CameraRays rays(square_camera(), {31, 17, 1, Raster::centres, 0});
+    for (const Pixel pixel : morton_order(31, 17)) {
+        const Ray ray = rays.ray(pixel.x + 0.5, pixel.y + 0.5, {0.1f, 0.8f}, 0.75f);
+        EXPECT_EQ(ray.direction, rays.ray(pixel, 0).direction);
+        EXPECT_EQ(ray.origin, rays.ray(pixel, 0).origin);
+        EXPECT_EQ(ray.time, 0.75f);
+        EXPECT_EQ(CameraRays::cell(pixel.x + 0.5, pixel.y + 0.999), pixel);
+    }
+    EXPECT_EQ(CameraRays::cell(-0.5, -1), (Pixel{-1, -1}));
+}
+
+/// A camera of every kind: with and without a lens, still and moving, near and far from the
+/// coordinates' origin.
+std::vector<Camera> cameras_of_all_kinds() {
+    std::vector<Camera> cameras;
+    cases::Random random(31);
+    for (const float distance : {0.0f, 10.0f, 1e4f})
+        for (int kind = 0; kind < 4; ++kind) {
+            Camera camera = square_camera();
+            camera.from += vec3(distance, -distance, 2 * distance);
+            camera.at += vec3(distance, -distance, 2 * distance);
+            camera.up = {0.3f, 1, 0.2f};
+            if (kind & 1) camera.lens = Lens{0.2f, 0.8f, 3, kind & 2 ? 0 : 5, 10};
+            if (kind & 2) {
+                camera.motion = cases::motion(random);
+                camera.motion->pivot += camera.from;
+            }
+            cameras.push_back(camera);
+        }
+    return cameras;
+}
+
+struct Asked {
+    std::vector<Ray> rays;
+    std::vector<Source> sources;
+};
+
+/// Random places in and round the image, random points of the lens, random times.
+Asked random_rays(const CameraRays& rays, cases::Random& random) {
+    Asked asked;
+    const View& view = rays.view();
+    for (int i = 0; i < 2000; ++i) {
+        const double x = random.uniform(-view.border, view.width + view.border);
+        const double y = random.uniform(-view.border, view.height + view.border);
+        const Pair lens{static_cast<float>(random.uniform(0, 1)),
+                        static_cast<float>(random.uniform(0, 1))};
+        asked.rays.push_back(rays.ray(x, y, lens, static_cast<float>(random.uniform(0, 1))));
+        asked.sources.push_back(CameraRays::source(x, y));
+    }
+    return asked;
+}
+
+TEST(Camera, rays_keep_their_promise_with_lens_motion_and_border) {
+    cases::Random random(32);
+    for (const Camera& camera : cameras_of_all_kinds())
+        for (const int border : {0, 3}) {
+            Scene scene;
+            scene.camera = camera;
+            const ImageFormat format{97, 61, 1, Raster::centres, 0};
+            const BuildInput input = build_input(scene, format, border);
+            EXPECT_EQ(input.view->border, border);
+            Asked asked = random_rays(CameraRays(camera, format, border), random);
+            const RayBatch batch{RayKind::camera, 1, asked.rays, asked.sources};
+            EXPECT_EQ(broken_promise(input, batch), "");
+        }
+}
+
+TEST(Camera, a_broken_promise_of_cell_lens_or_border_is_seen) {
+    cases::Random random(33);
+    for (const Camera& camera : cameras_of_all_kinds()) {
+        Scene scene;
+        scene.camera = camera;
+        const ImageFormat format{97, 61, 1, Raster::centres, 0};
+        const BuildInput input = build_input(scene, format, 2);
+        const Asked asked = random_rays(CameraRays(camera, format, 2), random);
+        const auto complaint = [&](const Ray& ray, Source source) {
+            return broken_promise(input, {RayKind::camera, 1, {&ray, 1}, {&source, 1}});
+        };
+        for (std::size_t i = 0; i < 200; ++i) {
+            const auto [x, y] = std::pair(asked.sources[i].cell_x(), asked.sources[i].cell_y());
+            const auto next = static_cast<std::int16_t>(x > 40 ? x - 2 : x + 2);
+            EXPECT_NE(complaint(asked.rays[i], Source::cell(next, y)), "");
+            EXPECT_NE(complaint(asked.rays[i], Source::cell(-3, y)), "");
+            EXPECT_NE(complaint(asked.rays[i], Source::cell(x, 63)), "");
+            Ray beside = asked.rays[i];
+            beside.origin += 1.0f * normalised(cross(beside.direction, vec3(0, 1, 0.1f)));
+            EXPECT_NE(complaint(beside, asked.sources[i]), "");
+        }
+    }
+}
+
+/// Spheres round the origin, seen from (0, 0, 4).
+Scene spheres(const Motion& motion) {
+    GeometryBuilder builder;
+    const std::uint32_t moves = builder.add_motion(motion);
+    cases::Random random(34);
+    for (int i = 0; i < 60; ++i) builder.add_sphere({random.in_cube(2), 0.3f}, moves);
+    Scene scene;
+    scene.geometry = std::move(builder).build();
+    scene.camera = square_camera();
+    return scene;
+}
+
+/// The hits of a moving camera on a scene at rest, and of a camera at rest on a moving scene.
+void expect_same_hits(const Motion& of_camera, const Motion& of_scene) {
+    const ImageFormat format{40, 40, 1, Raster::centres, 0};
+    Scene still = spheres(Motion{});
+    still.camera.motion = of_camera;
+    const Scene moving = spheres(of_scene);
+    const auto hits = [&](const Scene& scene) {
+        const auto accel = build(built_in_catalogue(), "brute_force", build_input(scene, format));
+        const CameraRays camera(scene.camera, format);
+        std::vector<Ray> rays;
+        for (int i = 0; i < 1600; ++i)
+            rays.push_back(
+                camera.ray(i % 40 + 0.5, i / 40 + 0.5, {}, 0.1f * static_cast<float>(i * 7 % 11)));
+        std::vector<Hit> found(rays.size());
+        accel->open(Mode::timing)->closest({.rays = rays}, found);
+        return found;
+    };
+    const std::vector<Hit> one = hits(still), other = hits(moving);
+    int same = 0, met = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        met += one[i].primitive != no_primitive;
+        if (one[i].primitive != other[i].primitive) continue;  // grazed: counted below
+        ++same;
+        if (one[i].primitive == no_primitive) continue;
+        EXPECT_NEAR(one[i].t, other[i].t, 2e-3f);
+    }
+    EXPECT_GT(met, 300);
+    EXPECT_GE(same, 1598);  // of 1600
+}
+
+TEST(Camera, pans_as_the_scene_moves_the_other_way) {
+    const vec3 from(0.2f, -0.1f, 0.3f), to(-0.5f, 0.4f, 0.1f);
+    expect_same_hits({.translation = {from, to}}, {.translation = {-from, -to}});
+}
+
+TEST(Camera, turns_as_the_scene_turns_the_other_way) {
+    constexpr float s = 0.25881905f, c = 0.96592583f;  // 15 degrees: a turn by 30 about y
+    const vec3 pivot(0.5f, 0, 1);
+    const Motion::Quaternion none{0, 0, 0, 1};
+    expect_same_hits({.pivot = pivot, .rotation = {none, Motion::Quaternion{0, s, 0, c}}},
+                     {.pivot = pivot, .rotation = {none, Motion::Quaternion{0, -s, 0, c}}});
+}
+
 TEST(Camera, nonsense_is_refused) {
     Camera nowhere = square_camera();
     nowhere.at = nowhere.from;
@@ -98,6 +248,11 @@ TEST(Camera, nonsense_is_refused) {
         wide.angle = angle;
         EXPECT_THROW(make_view(wide, spd_format), std::invalid_argument);
     }
+    Camera bent = square_camera();
+    bent.motion = Motion{.rotation = {Motion::Quaternion{0, 0, 0, 2}, {0, 0, 0, 1}}};
+    EXPECT_THROW(make_view(bent, spd_format), std::invalid_argument);
+    EXPECT_THROW(make_view(square_camera(), spd_format, -1), std::invalid_argument);
+    EXPECT_THROW(make_view(square_camera(), {1, 32000, 1}, 1000), std::invalid_argument);
     EXPECT_THROW(make_view(square_camera(), {0, 1, 1}), std::invalid_argument);
     EXPECT_THROW(make_view(square_camera(), {1, 40000, 1}), std::invalid_argument);
     EXPECT_THROW(make_view(square_camera(), {1, 1, 0}), std::invalid_argument);
