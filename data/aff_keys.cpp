@@ -11,9 +11,9 @@ namespace {
 constexpr std::int64_t shortest_key = 4;  // characters: "0 1 "
 
 template <class Value>
-void require_ascending(const Tokens& tokens, const std::vector<Key<Value>>& keys) {
-    if (keys.size() < 2 || keys[keys.size() - 2].time < keys.back().time) return;
-    tokens.refuse("key frames must be in the order of time, each later than the one before");
+void require_order(const Tokens& tokens, const std::vector<Key<Value>>& keys) {
+    if (keys.size() < 2 || keys[keys.size() - 2].time <= keys.back().time) return;
+    tokens.refuse("key frames must be in the order of time");
 }
 
 std::int64_t key_count(Tokens& tokens, std::int64_t fewest) {
@@ -36,7 +36,7 @@ std::vector<Key<Value>> read_keys(Tokens& tokens, Read&& read_value) {
         key.time = tokens.number("time of a key frame");
         key.value = read_value();
         key.shape = read_shape(tokens);
-        require_ascending(tokens, keys);
+        require_order(tokens, keys);
     }
     return keys;
 }
@@ -58,7 +58,7 @@ std::vector<Key<bool>> read_visibility(Tokens& tokens) {
         Key<bool>& key = keys.emplace_back();
         key.time = tokens.number("time of a key frame");
         key.value = tokens.integer("visibility: 0 or 1", 0, 1) == 1;
-        require_ascending(tokens, keys);
+        require_order(tokens, keys);
     }
     return keys;
 }

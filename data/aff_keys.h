@@ -7,7 +7,7 @@
 namespace rayshoot {
 
 /// transl, scale, rot and visibility, each at most once. Refuses, with the line, fewer than four
-/// keys, times that do not ascend and axes of no direction.
+/// keys, times out of order and axes of no direction.
 KeyFrames read_key_frames(Tokens& tokens);
 
 /// Axis x y z and degrees, as `rot` and `xs` give a rotation. An axis of no direction may only go

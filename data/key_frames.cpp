@@ -20,8 +20,8 @@ Span<Value> span_at(const std::vector<Key<Value>>& keys, double time) {
     const std::size_t last = keys.size() - 2;
     std::size_t to = 2;
     while (to < last && time >= keys[to].time) ++to;
-    const double step = keys[to].time - keys[to - 1].time;
-    const double share = std::clamp((time - keys[to - 1].time) / step, 0.0, 1.0);
+    const double begin = keys[to - 1].time, end = keys[to].time;
+    const double share = time < begin ? 0 : time >= end ? 1 : (time - begin) / (end - begin);
     return {keys[to - 2], keys[to - 1], keys[to], keys[to + 1], share};
 }
 
@@ -60,6 +60,8 @@ glm::dquat way(const glm::dquat& from, const glm::dquat& to) {
 
 dvec3 PositionTrack::at(double time) const {
     const Span<dvec3> s = span_at(keys_, time);
+    if (s.share <= 0) return s.from.value;
+    if (s.share >= 1) return s.to.value;
     const auto [out, in] = tangents(s);
     const dvec3 step = s.to.value - s.from.value;
     const dvec3 leave = out.before * (s.from.value - s.before.value) + out.after * step;
@@ -76,6 +78,8 @@ RotationTrack::RotationTrack(std::vector<Key<glm::dquat>> keys) : keys_(std::mov
 
 glm::dquat RotationTrack::at(double time) const {
     const Span<glm::dquat> s = span_at(keys_, time);
+    if (s.share <= 0) return s.from.value;
+    if (s.share >= 1) return s.to.value;
     const auto [out, in] = tangents(s);
     const glm::dquat &p = s.from.value, &q = s.to.value;
     const glm::dquat step = way(p, q);

@@ -27,7 +27,8 @@ struct Key {
 };
 inline constexpr std::size_t fewest_keys = 4;
 
-/// At least fewest_keys keys, times strictly ascending (the reader refuses others).
+/// At least fewest_keys keys in the order of time (the reader refuses others). Two at one time are
+/// a jump.
 class PositionTrack {
 public:
     explicit PositionTrack(std::vector<Key<dvec3>> keys) : keys_(std::move(keys)) {}

@@ -269,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{view + "k a { " + keys4 + "\n", "main.aff:9", "'' in key frames"},
         Malformed{view + "k a { " + keys4 + " } k a { " + keys4 + " }\n", "main.aff:8",
                   "a second set of key frames for 'a'"},
-        Malformed{view + "k a { transl 4 0 0 0 0 0 0 0  1 0 0 0 0 0 0  1 0 0 0 0 0 0\n",
+        Malformed{view + "k a { transl 4 0 0 0 0 0 0 0  1 0 0 0 0 0 0  0.5 0 0 0 0 0 0\n",
                   "main.aff:8", "order of time"},
         Malformed{view + "k a { visibility 1 0 2 }\n", "main.aff:8", "out of range"},
         Malformed{view + "m vertices 3 0 0 0 1 0 0 0 1 0 triangles 1 0 1 3\n", "main.aff:8",

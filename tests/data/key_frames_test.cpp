@@ -33,6 +33,19 @@ TEST(KeyFrames, go_through_all_keys_but_the_outer_ones_and_stand_still_outside) 
     EXPECT_LT(length(track.at(1e9) - keys[7].value), 1e-12);
 }
 
+/// BART's wheels have such keys: their times are rounded.
+TEST(KeyFrames, of_one_time_are_a_jump) {
+    for (const std::size_t first : {std::size_t{1}, std::size_t{3}, std::size_t{5}}) {
+        auto keys = random_positions(5, 8);
+        keys[first + 1].time = keys[first].time;
+        const PositionTrack track(keys);
+        for (double time = -2; time < 12; time += 0.01) EXPECT_TRUE(finite(track.at(time)));
+        const double jump = keys[first].time;
+        if (first > 1) EXPECT_LT(length(track.at(jump - 1e-9) - keys[first].value), 1e-6);
+        EXPECT_LT(length(track.at(jump) - keys[first + 1].value), 1e-12);
+    }
+}
+
 /// Catmull & Rom 1974, in the basis of the four points.
 TEST(KeyFrames, of_no_shape_and_even_times_are_a_catmull_rom_spline) {
     std::vector<Key<dvec3>> keys = random_positions(2, 6);
