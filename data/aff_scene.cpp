@@ -8,13 +8,20 @@
 namespace rayshoot {
 namespace {
 
-std::string beyond(const std::string& what) {
-    return "key frames or transforms put " + what + " beyond single precision; check their numbers";
+[[noreturn]] void refuse_beyond(const std::string& what, const std::string& name) {
+    throw std::invalid_argument(name + ": key frames or transforms put " + what +
+                                " beyond single precision; check their numbers");
 }
 
-Exposure exposure_of(const AffAnimation& animation, const Frame& frame) {
+bool placed_somewhere(const Camera& camera) {
+    const bool moves_somewhere = !camera.motion || (finite(camera.motion->translation[1]) &&
+                                                    std::isfinite(camera.motion->rotation[1][3]));
+    return moves_somewhere && finite(camera.from) && finite(camera.at) && finite(camera.up);
+}
+
+Exposure exposure_of(const AffAnimation& animation, const Frame& frame, const std::string& name) {
     constexpr double usual_shutter = 0.5;  // the half turn of a film camera's shutter
-    const int frames = frames_of(frame, animation.frames);
+    const int frames = frames_of(frame, animation.frames, name);
     const double step = (animation.end - animation.start) / (frames > 1 ? frames - 1 : 1);
     const double open = animation.start + frame.number * step;
     return {open, open + frame.shutter.value_or(usual_shutter) * step};
@@ -127,7 +134,8 @@ void Baker::add(const AffDeforming& triangle) {
     add(outline);
 }
 
-void add_lights(const AffModel& model, const AffPoses& poses, double middle, Scene& scene) {
+void add_lights(const AffModel& model, const AffPoses& poses, double middle,
+                const std::string& name, Scene& scene) {
     for (const AffLight& given : model.lights) {
         vec3 position = given.position;
         const auto frames = model.key_frames.find(given.key_frames);
@@ -135,7 +143,7 @@ void add_lights(const AffModel& model, const AffPoses& poses, double middle, Sce
             position = vec3(frames->second.translation->at(middle));
         Light light;
         light.position = poses.pose(given.transform).point(position);
-        if (!finite(light.position)) throw std::invalid_argument(beyond("a light"));
+        if (!finite(light.position)) refuse_beyond("a light", name);
         light.samples.include(light.position);
         light.intensity = given.colour.value_or(vec3(nff_light_intensity(model.lights.size())));
         scene.lights.push_back(light);
@@ -145,26 +153,22 @@ void add_lights(const AffModel& model, const AffPoses& poses, double middle, Sce
 }  // namespace
 
 Scene aff_scene(const AffModel& model, const std::string& name, Precision precision,
-                const Frame& frame) try {
+                const Frame& frame) {
     if (!model.camera)
         throw std::invalid_argument(name +
                                     ": there is no view; AFF wants one: v from x y z at x y "
                                     "z up x y z angle degrees hither distance resolution x y");
-    const Exposure exposure = exposure_of(model.animation, frame);
+    const Exposure exposure = exposure_of(model.animation, frame, name);
     const AffPoses poses(model, exposure);
     Scene scene;
     scene.materials = model.materials;
     scene.geometry = Baker(model, poses, exposure.middle(), scene).bake(precision);
-    add_lights(model, poses, exposure.middle(), scene);
+    add_lights(model, poses, exposure.middle(), name, scene);
     scene.camera = poses.camera();
-    if (!finite(scene.camera.from) || !finite(scene.camera.at) || !finite(scene.camera.up))
-        throw std::invalid_argument(beyond("the camera"));
-    if (scene.camera.motion) require_rigid(*scene.camera.motion);
+    if (!placed_somewhere(scene.camera)) refuse_beyond("the camera", name);
     scene.background = model.background;
     scene.notes.assign(model.left_out.begin(), model.left_out.end());
     return scene;
-} catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(name + ": " + error.what());
 }
 
 }  // namespace rayshoot

@@ -17,13 +17,14 @@ struct Frame {
 inline constexpr int most_frames = 1'000'000;
 
 /// The number of frames that `frame` is one of, `usual` where it does not say. Throws
-/// std::invalid_argument where there is no such frame.
-inline int frames_of(const Frame& frame, int usual) {
+/// std::invalid_argument, with the file's name, where there is no such frame.
+inline int frames_of(const Frame& frame, int usual, const std::string& name) {
     const int frames = frame.of > 0 ? frame.of : usual;
     if (frame.number < frames) return frames;
-    throw std::invalid_argument(
-        "frame=" + std::to_string(frame.number) + ": the animation has " + std::to_string(frames) +
-        (frames == 1 ? " frame" : " frames, numbered from 0") + "; frames=N divides it otherwise");
+    throw std::invalid_argument(name + ": frame=" + std::to_string(frame.number) +
+                                ": the animation has " + std::to_string(frames) +
+                                (frames == 1 ? " frame" : " frames, numbered from 0") +
+                                "; frames=N divides it otherwise");
 }
 
 /// From the shutter's opening to its closing, in the file's own time. Readers evaluate motions at

@@ -78,11 +78,6 @@ void NffReader::polygon(const Outline& outline) {
 
 Scene read_nff(std::string_view text, const std::string& name, Precision precision,
                const Frame& frame) {
-    try {
-        frames_of(frame, 1);
-    } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(name + ": " + error.what());
-    }
     return NffReader(text, name, frame).read(precision);
 }
 

@@ -97,9 +97,8 @@ void NffReader::rest() {
 
 Exposure NffReader::exposure() {
     exposed_ = true;
-    const double frames = frames_of(frame_, 1);
     const double close = frame_.shutter ? of_frame_.open + *frame_.shutter : of_frame_.close;
-    return {(frame_.number + of_frame_.open) / frames, (frame_.number + close) / frames};
+    return {(frame_.number + of_frame_.open) / frames_, (frame_.number + close) / frames_};
 }
 
 std::uint32_t NffReader::motion() {

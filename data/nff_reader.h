@@ -16,7 +16,7 @@ namespace rayshoot {
 class NffReader {
 public:
     NffReader(std::string_view text, const std::string& name, const Frame& frame)
-        : tokens_(text, name), frame_(frame) {}
+        : tokens_(text, name), frame_(frame), frames_(frames_of(frame, 1, name)) {}
     Scene read(Precision precision) &&;
 
 private:
@@ -54,6 +54,7 @@ private:
     bool has_view_ = false;
 
     Frame frame_;
+    double frames_;            ///< of the whole animation
     Exposure of_frame_{0, 1};  ///< when the shutter is open, as shares of a frame's time
     bool exposed_ = false;     ///< a motion has used it
     Movement objects_, camera_;

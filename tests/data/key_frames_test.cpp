@@ -41,7 +41,9 @@ TEST(KeyFrames, of_one_time_are_a_jump) {
         const PositionTrack track(keys);
         for (double time = -2; time < 12; time += 0.01) EXPECT_TRUE(finite(track.at(time)));
         const double jump = keys[first].time;
-        if (first > 1) EXPECT_LT(length(track.at(jump - 1e-9) - keys[first].value), 1e-6);
+        if (first > 1) {
+            EXPECT_LT(length(track.at(jump - 1e-9) - keys[first].value), 1e-6);
+        }
         EXPECT_LT(length(track.at(jump) - keys[first + 1].value), 1e-12);
     }
 }

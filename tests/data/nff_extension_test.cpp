@@ -244,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{view + "shutter 0 1.5\n", "8", "from 0 to 1"},
         Malformed{view + "move 0 0 0 1 1 1 s 0 0 0 1 shutter 0 1\n", "8",
                   "before the first thing that moves"},
-        Malformed{view + "lens focal 1 stop 2\n", "9", "'focus' is missing"},
+        Malformed{view + "lens focal 1 stop 2\n", "8", "'focus' is missing"},
         Malformed{view + "lens focal 1 stop 2 focus 1\n", "8", "beyond the focal length"},
         Malformed{view + "lens focal 1 stop 2 focus 3 blades 2\n", "8", "blades"},
         Malformed{view + "lens focal 1 stop 2 focus 3 stop 4\n", "8", "a second 'stop'"},
