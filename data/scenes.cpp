@@ -123,7 +123,7 @@ Scene load_frame(std::string_view scene, int frame, int frames) {
             "frame " + std::to_string(frame) + " of " + std::to_string(frames) +
             ": frames are numbered from 0, up to " + std::to_string(most_frames) + " of them");
     const auto [name, options] = divided(scene);
-    if (is_generator(name) || find_mesh(name) || !is_animation(resolved(name)))
+    if (frames == 1 || is_generator(name) || find_mesh(name) || !is_animation(resolved(name)))
         return load_scene(scene);
     const std::string moment =
         "frame=" + std::to_string(frame) + ",frames=" + std::to_string(frames);

@@ -23,8 +23,9 @@ namespace rayshoot {
 Scene load_scene(std::string_view scene);
 
 /// The scene at frame `frame` of `frames`, 0 first: of an animation (.nff, .aff) by its options,
-/// else the scene itself. Throws std::invalid_argument as load_scene does, where `scene` has a
-/// frame already, and unless 0 <= frame < frames.
+/// else the scene itself; of 1 frame: load_scene(scene), which may name a frame itself. Throws
+/// std::invalid_argument as load_scene does, where `scene` has a frame already, and unless 0 <=
+/// frame < frames.
 Scene load_frame(std::string_view scene, int frame, int frames);
 
 struct SceneInfo {

@@ -183,6 +183,7 @@ TEST(NffExtension, is_loaded_frame_by_frame) {
     EXPECT_EQ(begin(load_frame(file + ":precision=watertight", 1, 4)), 2);
     EXPECT_EQ(load_frame(file + ":shutter=0.5", 0, 1).geometry.motion(1).translation[1].x, 4);
     EXPECT_EQ(digest(load_frame("spd/tetra:size=1", 3, 5)), digest(load_scene("spd/tetra:size=1")));
+    EXPECT_EQ(begin(load_frame(file + ":frame=3,frames=4", 0, 1)), 6);
     EXPECT_TRUE(contains(message_of([&] { load_scene(file + ":frame=1"); }), "has 1 frame"));
     EXPECT_TRUE(contains(message_of([&] { load_scene(file + ":frame=4,frames=4"); }), "frame=4"));
     EXPECT_TRUE(contains(message_of([&] { load_scene(file + ":shutter=2"); }), "from 0 to 1"));
