@@ -1,3 +1,5 @@
+#include "data/file.h"
+#include "data/mesh_catalogue.h"
 #include "data/nff.h"
 #include "data/scenes.h"
 
@@ -189,6 +191,17 @@ TEST(NffExtension, is_loaded_frame_by_frame) {
     EXPECT_TRUE(contains(message_of([&] { load_scene(file + ":shutter=2"); }), "from 0 to 1"));
     EXPECT_TRUE(contains(message_of([&] { load_frame(file + ":frame=0", 0, 2); }), "twice"));
     EXPECT_TRUE(contains(message_of([&] { load_frame(file, 2, 2); }), "frame 2 of 2"));
+}
+
+TEST(NffExtension, reads_the_example_of_its_readme) {
+    const std::string readme = read_file(data_folder() / "README.md");
+    const std::size_t begin = readme.find("```\nv from") + 4;
+    const Scene scene = read(readme.substr(begin, readme.find("```", begin) - begin));
+    EXPECT_EQ(scene.geometry.size(), 3u);
+    EXPECT_TRUE(scene.camera.lens);
+    EXPECT_EQ(scene.lights.at(0).primitives.size(), 1u);
+    const dvec3 hub = move_to_world(motion_of(scene, 1), 1, dvec3(0, 2, 0));
+    EXPECT_LT(length(hub - dvec3(0, 0, 0)), 1e-6);  // half a turn in half a frame
 }
 
 struct Malformed {
