@@ -4,8 +4,8 @@
 
 // Level v3 of x86-64 has neither AES nor CLMUL, which Highway would ask of its AVX2 target.
 #define HWY_DISABLE_PCLMUL_AES
-// We dispatch statically. Without saying so, Highway 1.0 does not compile for a processor with all of
-// AVX-512's extensions (HWY_AVX3_DL), which it takes for the baseline but not for attainable.
+// We dispatch statically. Without saying so, Highway 1.0 does not compile for a processor with all
+// of AVX-512's extensions (HWY_AVX3_DL), which it takes for the baseline but not for attainable.
 #define HWY_COMPILE_ONLY_STATIC
 #include <hwy/highway.h>
 

@@ -2,8 +2,8 @@
 
 #include "bench/comparison/summary.h"
 #include "bench/output/machine.h"
-#include "bench/timing/steadiness.h"
 #include "bench/output/or_null.h"
+#include "bench/timing/steadiness.h"
 
 namespace rayshoot {
 namespace {
