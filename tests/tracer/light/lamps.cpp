@@ -84,6 +84,13 @@ std::unique_ptr<Lamp> of_pyramid(float size, const vec3& at) {
     return of_mesh("pyramid", faces, size, at);
 }
 
+/// Twelve times as long as wide: its test is as bad as a float test is let be.
+std::unique_ptr<Lamp> of_sliver(float size, const vec3& at) {
+    const std::array<std::array<vec3, 3>, 1> sliver{
+        {{vec3(-2, -1, -2), vec3(2, 1.1f, 2), vec3(2.1f, 0.8f, 1.8f)}}};
+    return of_mesh("sliver", sliver, size, at);
+}
+
 /// A hundred times as long as wide.
 std::unique_ptr<Lamp> of_needle(float size, const vec3& at) {
     const std::array<std::array<vec3, 3>, 1> needle{
@@ -96,7 +103,7 @@ std::unique_ptr<Lamp> of_needle(float size, const vec3& at) {
 std::vector<std::unique_ptr<Lamp>> lamps(float size, const vec3& at) {
     std::vector<std::unique_ptr<Lamp>> all;
     for (const auto make :
-         {of_polygon, of_two_triangles, of_disc, of_sphere, of_pyramid, of_needle})
+         {of_polygon, of_two_triangles, of_disc, of_sphere, of_pyramid, of_sliver, of_needle})
         all.push_back(make(size, at));
     return all;
 }

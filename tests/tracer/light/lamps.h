@@ -18,8 +18,8 @@ struct Lamp {
 };
 
 /// A rectangle as a polygon and as two triangles, a disc as a polygon of many corners, a sphere, a
-/// pyramid without a base, a needle; each about `size` large, its middle at `at`. No part of one
-/// hides another from where it is lit.
+/// pyramid without a base, a sliver, a needle; each about `size` large, its middle at `at`. No part
+/// of one hides another from where it is lit.
 std::vector<std::unique_ptr<Lamp>> lamps(float size, const vec3& at);
 
 /// Lights as they are made by hand, with samples that enclose them.
