@@ -153,17 +153,19 @@ TEST(Bsdf, gives_no_more_than_it_gets_and_all_of_it_where_nothing_is_lost) {
 TEST(Bsdf, integrates_to_no_more_than_one) {
     for (const Surface& surface : surfaces()) {
         if (surface.sharp) continue;
-        for (const double degrees : {0.0, 30.0, 60.0, 75.0, 85.0, 89.0}) {
+        for (const double degrees : {0.0, 45.0, 75.0, 89.0}) {
             for (const bool from_front : {true, false}) {
+                if (!from_front && surface.index == 1) continue;  // the same
                 const Look look{surface, degrees, from_front};
                 const Bsdf bsdf = look.bsdf();
-                double sum = 0;
+                const bool above = look.out().z > 0;
+                const float beyond = look.beyond();
                 const auto reflected_most = [&](const vec3& in) {
-                    const bool passes = in.z * look.out().z < 0;
-                    return largest(bsdf.evaluate(in)) * (passes ? look.beyond() : 1);
+                    return largest(bsdf.evaluate(in)) * ((in.z > 0) == above ? 1 : beyond);
                 };
-                for (const double part : SphereBins::integrals(reflected_most, 20)) sum += part;
-                EXPECT_LE(sum, 1 + 2e-3) << look.name();
+                double sum = 0;
+                for (const double part : SphereBins::integrals(reflected_most)) sum += part;
+                EXPECT_LE(sum, 1 + 1e-3) << look.name();
             }
         }
     }
