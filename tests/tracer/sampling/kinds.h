@@ -1,6 +1,6 @@
 #pragma once
 
-#include <ranges>
+#include <numeric>
 #include <vector>
 
 #include "tests/tracer/sampling/chi_squared.h"
@@ -25,6 +25,11 @@ inline std::vector<SamplerSettings> every_kind(int spp) {
             {regular, spp, false, true}};
 }
 
-inline auto samples(int spp) { return std::views::iota(0u, static_cast<std::uint32_t>(spp)); }
+/// 0 to spp - 1. (Not std::views::iota, which clang 14 does not take from GCC's library.)
+inline std::vector<std::uint32_t> samples(int spp) {
+    std::vector<std::uint32_t> numbers(static_cast<std::size_t>(spp));
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    return numbers;
+}
 
 }  // namespace rayshoot
