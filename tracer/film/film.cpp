@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -17,8 +16,8 @@ bool splats(Reconstruction way) {
     return way == Reconstruction::splat || way == Reconstruction::splat_undivided;
 }
 
-/// Half the diagonal of a pixel: a disc that is smaller may lie between all middles.
-constexpr double smallest_splat = std::numbers::sqrt2 / 2;
+/// A little more than half the diagonal of a pixel: a smaller disc may lie between all middles.
+constexpr double smallest_splat = 0.75;
 
 void require_valid(int width, int height, const Filter& filter, Reconstruction way) {
     for (const int size : {width, height}) {
@@ -31,7 +30,7 @@ void require_valid(int width, int height, const Filter& filter, Reconstruction w
     if (splats(way) && !filter.separable() && filter.reach() < smallest_splat) {
         throw std::invalid_argument(
             "splats of radius " + std::to_string(filter.reach()) +
-            " may fall between all pixels: take a radius of 0.71 or more, or " +
+            " may fall between all pixels: take a radius of 0.75 or more, or " +
             "reconstruction=importance");
     }
 }

@@ -37,30 +37,49 @@ Rectangle cells_of(std::span<const FilmSample> samples) {
 class Splatter {
 public:
     Splatter(const Footprint& footprint, Patch& patch)
-        : footprint_(footprint), patch_(patch), weights_(footprint.largest()) {}
+        : footprint_(footprint), patch_(patch), weights_(together * footprint.room()) {}
 
-    void add(const FilmSample& sample) {
-        const Cover cover = footprint_.weigh(sample.x, sample.y, weights_);
-        const int left = sample.pixel.x + cover.left, top = sample.pixel.y + cover.top;
-        const Rectangle inside =
-            intersection({left, top, left + cover.columns, top + cover.rows}, patch_.pixels());
-        if (inside.empty()) return;
-        const std::array<double, 4> light{sample.radiance.x, sample.radiance.y, sample.radiance.z,
-                                          1};
-        for (int y = inside.top; y < inside.bottom; ++y) {
-            const float* weights =
-                weights_.data() + (y - top) * cover.columns + (inside.left - left);
-            Sum* sums = patch_.row(inside.left, y);
-            for (int i = 0; i < inside.width(); ++i) {
-                sums[i].add(light, double{weights[i]} * sample.weight);
+    void add(std::span<const FilmSample> samples) {
+        while (!samples.empty()) {
+            const auto group = samples.first(std::min(together, samples.size()));
+            for (std::size_t i = 0; i < group.size(); ++i) {
+                corners_[i] = footprint_.weigh(group[i].x, group[i].y, weights_of(i));
             }
+            for (std::size_t i = 0; i < group.size(); ++i)
+                add(group[i], corners_[i], weights_of(i));
+            samples = samples.subspan(group.size());
         }
     }
 
 private:
+    /// Samples are weighed so many at a time: a processor works at several of them at once, while
+    /// it would wait for the weights of each that it adds.
+    static constexpr std::size_t together = 16;
+
+    std::span<float> weights_of(std::size_t i) {
+        return std::span(weights_).subspan(i * footprint_.room(), footprint_.room());
+    }
+    void add(const FilmSample& sample, Footprint::Corner corner, std::span<const float> weights) {
+        const int left = sample.pixel.x + corner.left, top = sample.pixel.y + corner.top;
+        const int edge = footprint_.edge();
+        const Rectangle inside =
+            intersection({left, top, left + edge, top + edge}, patch_.pixels());
+        if (inside.empty()) return;
+        const std::array<double, 4> light{sample.radiance.x, sample.radiance.y, sample.radiance.z,
+                                          1};
+        for (int y = inside.top; y < inside.bottom; ++y) {
+            const float* weight = weights.data() + (y - top) * edge + (inside.left - left);
+            Sum* sums = patch_.row(inside.left, y);
+            for (int i = 0; i < inside.width(); ++i) {
+                sums[i].add(light, double{weight[i]} * sample.weight);
+            }
+        }
+    }
+
     const Footprint& footprint_;
     Patch& patch_;
     std::vector<float> weights_;
+    std::array<Footprint::Corner, together> corners_;
 };
 
 }  // namespace
@@ -88,8 +107,7 @@ std::vector<Patch> splat(std::span<const FilmSample> samples, const Footprint& f
         const Rectangle reached = cells_of(run).widened(footprint.border());
         const Rectangle pixels = intersection(reached, image);
         if (pixels.empty()) continue;
-        Splatter splatter(footprint, patches.emplace_back(pixels));
-        for (const FilmSample& sample : run) splatter.add(sample);
+        Splatter(footprint, patches.emplace_back(pixels)).add(run);
     }
     return patches;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -10,41 +11,44 @@
 /// middles of the pixels that it covers.
 namespace rayshoot {
 
-/// Pixels that a sample reaches, as offsets from the cell it is in.
-struct Cover {
-    int left = 0, top = 0;
-    int columns = 0, rows = 0;
-};
-
-/// A filter's weights over its integral, from a table.
+/// A filter's weights over its integral: on a disc by a polynomial in r, on a square by a table for
+/// each axis.
 class Footprint {
 public:
     explicit Footprint(const Filter& filter);
 
+    /// Edge of the square of pixels around every sample that has all that it reaches.
+    int edge() const { return edge_; }
     /// How far from its cell a sample reaches, in pixels.
     int border() const { return border_; }
-    /// Most weights that weigh() writes.
-    std::size_t largest() const;
+    /// What weigh() needs to write to.
+    std::size_t room() const;
 
-    /// For a sample at (x, y) from the top left corner of its cell, in [0, 1]: the pixels it covers
-    /// and, row by row, their weights, each within `table_error` / integral of the filter's.
-    Cover weigh(double x, double y, std::span<float> weights) const;
-    static constexpr double table_error = 2e-6;  ///< where the filter is 1 in the middle
+    /// Where the square begins, as an offset from the sample's cell.
+    struct Corner {
+        int left = 0, top = 0;
+    };
+    /// For a sample at (x, y) from the top left corner of its cell, in [0, 1): the square and, row
+    /// by row, edge x edge weights, each within largest_error / integral of the filter's. (Where a
+    /// gaussian ends in a step, at the edge of its disc, a float tells the two sides apart.)
+    Corner weigh(double x, double y, std::span<float> weights) const;
+    static constexpr double largest_error = 2e-6;  ///< where the filter is 1 in the middle
 
 private:
-    /// The filter between two entries of the table: value + slope * (place - entry).
-    struct Piece {
-        float value, slope;
-    };
-    /// Over distances in units of R / pieces; 0 beyond the filter's edge.
-    float looked_up(float place) const;
-    void weigh_disc(const Cover& cover, double x, double y, float* weights) const;
-    void weigh_square(const Cover& cover, double x, double y, float* weights) const;
+    template <class Edge>
+    void weigh(Edge edge, double x, double y, float* weights) const;
+    template <class Edge>
+    void weigh_disc(Edge edge, float x, float y, float* weights) const;
+    template <class Edge>
+    void weigh_square(Edge edge, double x, double y, float* weights) const;
+
+    static constexpr std::size_t terms = 13;  ///< the gaussian needs them, others fewer
 
     double radius_;
     bool separable_;
-    int border_;
-    std::vector<Piece> table_;
+    int edge_, border_;
+    std::array<float, terms> disc_{};     ///< Chebyshev coefficients over 2 r / R - 1
+    std::vector<float> values_, slopes_;  ///< of a square's axis, from the middle outwards
 };
 
 }  // namespace rayshoot
