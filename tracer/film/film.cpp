@@ -90,7 +90,7 @@ public:
           least_weight_(filter.negative_lobes() ? 0.5 : 0),
           pixels_({0, 0, width, height}) {}
 
-    const Footprint& footprint() const { return footprint_; }
+    const SplatFootprint& footprint() const { return footprint_; }
     bool splats() const { return rayshoot::splats(way_); }
     std::size_t waiting() {
         const std::lock_guard lock(mutex_);
@@ -109,7 +109,7 @@ private:
     }
     vec3 value(const Sum& sum) const;
 
-    const Footprint footprint_;
+    const SplatFootprint footprint_;
     const Reconstruction way_;
     const double least_weight_;
     std::mutex mutex_;

@@ -36,7 +36,7 @@ Rectangle cells_of(std::span<const FilmSample> samples) {
 /// Adds samples to a patch, one after the other.
 class Splatter {
 public:
-    Splatter(const Footprint& footprint, Patch& patch)
+    Splatter(const SplatFootprint& footprint, Patch& patch)
         : footprint_(footprint), patch_(patch), weights_(together * footprint.room()) {}
 
     void add(std::span<const FilmSample> samples) {
@@ -59,7 +59,8 @@ private:
     std::span<float> weights_of(std::size_t i) {
         return std::span(weights_).subspan(i * footprint_.room(), footprint_.room());
     }
-    void add(const FilmSample& sample, Footprint::Corner corner, std::span<const float> weights) {
+    void add(const FilmSample& sample, SplatFootprint::Corner corner,
+             std::span<const float> weights) {
         const int left = sample.pixel.x + corner.left, top = sample.pixel.y + corner.top;
         const int edge = footprint_.edge();
         const Rectangle inside =
@@ -76,10 +77,10 @@ private:
         }
     }
 
-    const Footprint& footprint_;
+    const SplatFootprint& footprint_;
     Patch& patch_;
     std::vector<float> weights_;
-    std::array<Footprint::Corner, together> corners_;
+    std::array<SplatFootprint::Corner, together> corners_;
 };
 
 }  // namespace
@@ -98,7 +99,7 @@ void Patch::add(const Patch& other) {
     }
 }
 
-std::vector<Patch> splat(std::span<const FilmSample> samples, const Footprint& footprint,
+std::vector<Patch> splat(std::span<const FilmSample> samples, const SplatFootprint& footprint,
                          const Rectangle& image) {
     std::vector<Patch> patches;
     while (!samples.empty()) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tracer/film/film.h"
-#include "tracer/filter/footprint.h"
+#include "tracer/filter/splat_footprint.h"
 
 /// What the samples of a tile give to the pixels within their reach, before it goes into the film.
 namespace rayshoot {
@@ -71,7 +71,7 @@ private:
 
 /// Splats samples, in their order, on patches within `image`. Several, because a tile that goes
 /// along a Morton curve may have its two ends far apart.
-std::vector<Patch> splat(std::span<const FilmSample> samples, const Footprint& footprint,
+std::vector<Patch> splat(std::span<const FilmSample> samples, const SplatFootprint& footprint,
                          const Rectangle& image);
 
 }  // namespace rayshoot

@@ -1,4 +1,4 @@
-#include "tracer/filter/footprint.h"
+#include "tracer/filter/splat_footprint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ float chebyshev_sum(const std::array<float, terms>& coefficients, float z) {
 
 }  // namespace
 
-Footprint::Footprint(const Filter& filter)
+SplatFootprint::SplatFootprint(const Filter& filter)
     : radius_(filter.reach()),
       separable_(filter.separable()),
       edge_(static_cast<int>(std::ceil(2 * filter.reach()))),
@@ -71,12 +71,14 @@ Footprint::Footprint(const Filter& filter)
     }
 }
 
-std::size_t Footprint::room() const { return static_cast<std::size_t>(in_blocks(edge_ * edge_)); }
+std::size_t SplatFootprint::room() const {
+    return static_cast<std::size_t>(in_blocks(edge_ * edge_));
+}
 
 /// (x, y) is from the middle of the first pixel, here and below. An Edge is a number, or a type
 /// that has it as its value: then all loops have constant lengths.
 template <class Edge>
-void Footprint::weigh_disc(Edge edge, float x, float y, float* weights) const {
+void SplatFootprint::weigh_disc(Edge edge, float x, float y, float* weights) const {
     const auto scale = static_cast<float>(1 / radius_);
     Line squares;
     for (int column = 0; column < edge; ++column) {
@@ -101,7 +103,7 @@ void Footprint::weigh_disc(Edge edge, float x, float y, float* weights) const {
 }
 
 template <class Edge>
-void Footprint::weigh_square(Edge edge, double x, double y, float* weights) const {
+void SplatFootprint::weigh_square(Edge edge, double x, double y, float* weights) const {
     const double scale = pieces / radius_;
     const auto along_axis = [this, scale](double at) {
         const float place = std::min(static_cast<float>(std::abs(at) * scale), last_place);
@@ -122,7 +124,7 @@ void Footprint::weigh_square(Edge edge, double x, double y, float* weights) cons
 }
 
 template <class Edge>
-void Footprint::weigh(Edge edge, double x, double y, float* weights) const {
+void SplatFootprint::weigh(Edge edge, double x, double y, float* weights) const {
     if (separable_) {
         weigh_square(edge, x, y, weights);
     } else {
@@ -130,7 +132,7 @@ void Footprint::weigh(Edge edge, double x, double y, float* weights) const {
     }
 }
 
-Footprint::Corner Footprint::weigh(double x, double y, std::span<float> weights) const {
+SplatFootprint::Corner SplatFootprint::weigh(double x, double y, std::span<float> weights) const {
     // The first pixel whose middle is less than R to the left of the sample, or above it.
     const auto first = [this](double at) {
         return static_cast<int>(std::floor(at - 0.5 - radius_)) + 1;

@@ -1,4 +1,4 @@
-#include "tracer/filter/footprint.h"
+#include "tracer/filter/splat_footprint.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ std::vector<Pair> positions() {
 /// The weights around a sample at (x, y), by the pixel's offset from the sample's cell.
 class Weights {
 public:
-    Weights(const Footprint& footprint, Pair at)
+    Weights(const SplatFootprint& footprint, Pair at)
         : edge_(footprint.edge()), weights_(footprint.room()) {
         corner_ = footprint.weigh(at.u, at.v, weights_);
     }
@@ -43,14 +43,14 @@ public:
 
 private:
     int edge_;
-    Footprint::Corner corner_;
+    SplatFootprint::Corner corner_;
     std::vector<float> weights_;
 };
 
 /// Of every pixel in reach and beyond, whether it is covered or not.
-TEST(Footprint, weights_are_the_filter_s_within_the_stated_error) {
+TEST(SplatFootprint, weights_are_the_filter_s_within_the_stated_error) {
     for (const Filter& filter : all_filters()) {
-        const Footprint footprint(filter);
+        const SplatFootprint footprint(filter);
         const int far = footprint.border() + 1;
         for (const Pair& at : positions()) {
             const Weights weights(footprint, at);
@@ -58,7 +58,7 @@ TEST(Footprint, weights_are_the_filter_s_within_the_stated_error) {
                 for (int column = -far; column <= far; ++column) {
                     const double weight = weights.at(column, row) * filter.integral();
                     const double exact = filter(at.u - 0.5 - column, at.v - 0.5 - row);
-                    ASSERT_NEAR(weight, exact, Footprint::largest_error)
+                    ASSERT_NEAR(weight, exact, SplatFootprint::largest_error)
                         << label(filter) << " at " << at.u << ' ' << at.v;
                 }
             }
@@ -67,9 +67,9 @@ TEST(Footprint, weights_are_the_filter_s_within_the_stated_error) {
 }
 
 /// Beyond the border weights are not only small, but 0.
-TEST(Footprint, lies_within_the_border) {
+TEST(SplatFootprint, lies_within_the_border) {
     for (const Filter& filter : all_filters()) {
-        const Footprint footprint(filter);
+        const SplatFootprint footprint(filter);
         const int far = footprint.border() + 1;
         for (const Pair& at : positions()) {
             const Weights weights(footprint, at);
@@ -84,10 +84,10 @@ TEST(Footprint, lies_within_the_border) {
 }
 
 /// Only mitchell's: a quotient of sums is between what is summed.
-TEST(Footprint, weights_are_not_negative) {
+TEST(SplatFootprint, weights_are_not_negative) {
     for (const Filter& filter : all_filters()) {
         if (filter.negative_lobes()) continue;
-        const Footprint footprint(filter);
+        const SplatFootprint footprint(filter);
         const int far = footprint.border();
         for (const Pair& at : positions()) {
             const Weights weights(footprint, at);
@@ -100,9 +100,9 @@ TEST(Footprint, weights_are_not_negative) {
     }
 }
 
-TEST(Footprint, border_is_the_reach_beyond_a_pixel_s_middle) {
+TEST(SplatFootprint, border_is_the_reach_beyond_a_pixel_s_middle) {
     const auto border = [](double radius) {
-        return Footprint(Filter({FilterKind::box, radius})).border();
+        return SplatFootprint(Filter({FilterKind::box, radius})).border();
     };
     EXPECT_EQ(border(0.5), 0);
     EXPECT_EQ(border(0.51), 1);
@@ -113,8 +113,8 @@ TEST(Footprint, border_is_the_reach_beyond_a_pixel_s_middle) {
 }
 
 /// A sample of a box of one pixel counts in its own pixel alone, with exactly 1.
-TEST(Footprint, the_smallest_box_is_its_own_pixel) {
-    const Footprint footprint{Filter()};
+TEST(SplatFootprint, the_smallest_box_is_its_own_pixel) {
+    const SplatFootprint footprint{Filter()};
     for (const Pair& at : positions()) {
         const Weights weights(footprint, at);
         EXPECT_EQ(weights.at(0, 0), 1.0);
@@ -123,10 +123,10 @@ TEST(Footprint, the_smallest_box_is_its_own_pixel) {
 }
 
 /// What is given to all pixels is the sum that the textbook tabulates.
-TEST(Footprint, weights_add_up_to_the_sample_sum) {
+TEST(SplatFootprint, weights_add_up_to_the_sample_sum) {
     for (const PrintedSampleSums& row : printed_sample_sums()) {
         const Filter filter({row.kind, row.radius});
-        const Footprint footprint(filter);
+        const SplatFootprint footprint(filter);
         for (const Pair& at : positions()) {
             EXPECT_NEAR(Weights(footprint, at).sum(), sample_sum(filter, at.u, at.v), 1e-5)
                 << label(filter);

@@ -13,9 +13,9 @@ namespace rayshoot {
 
 /// A filter's weights over its integral: on a disc by a polynomial in r, on a square by a table for
 /// each axis.
-class Footprint {
+class SplatFootprint {
 public:
-    explicit Footprint(const Filter& filter);
+    explicit SplatFootprint(const Filter& filter);
 
     /// Edge of the square of pixels around every sample that has all that it reaches.
     int edge() const { return edge_; }
