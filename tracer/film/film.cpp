@@ -1,6 +1,7 @@
 #include "tracer/film/film.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -134,6 +135,7 @@ void Film::Sums::add_own(std::span<const FilmSample> samples) {
 void Film::Sums::add_footprints(std::size_t tile, std::span<const FilmSample> samples) {
     std::vector<Patch> patches = splat(samples, footprint_, pixels_.pixels());
     const std::lock_guard lock(mutex_);
+    assert(tile >= next_ && !waiting_.contains(tile));
     if (tile != next_) {
         waiting_.emplace(tile, std::move(patches));
         return;

@@ -38,7 +38,8 @@ struct FilmSample {
 /// Any number of lanes may add to it; the image's bits do not depend on which, or when.
 class Film {
 public:
-    /// Throws std::invalid_argument for a size out of 1 to largest_image.
+    /// Throws std::invalid_argument for a size out of 1 to largest_image, and for splats of a disc
+    /// of a radius below 0.75, which may fall between all middles of pixels.
     Film(int width, int height, const Filter& filter, Reconstruction reconstruction);
     ~Film();
     Film(Film&&) noexcept;
