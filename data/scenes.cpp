@@ -1,6 +1,7 @@
 #include "data/scenes.h"
 
 #include "data/animation.h"
+#include "data/gallery_scenes.h"
 #include "data/generators/generators.h"
 #include "data/mesh_catalogue.h"
 #include "data/scene_file.h"
@@ -26,8 +27,10 @@ bool present(const fs::path& path) {
     return fs::exists(path, error);
 }
 
-/// As given, or below the user's collection when it is only there.
+/// The gallery's by their names; others as given, or below the user's collection when only there.
 fs::path resolved(const fs::path& path) {
+    if (const GalleryScene* scene = find_gallery_scene(path.generic_string()))
+        return file_of(*scene);
     if (path.is_absolute() || path.empty() || present(path)) return path;
     const auto collection = scene_collection();
     return collection && present(*collection / path) ? *collection / path : path;
@@ -52,6 +55,7 @@ Scene load_catalogued(const MeshEntry& mesh, const SceneOptions& options) {
     std::string known;
     for (const GeneratorInfo& generator : generators()) known += std::string(generator.name) + ", ";
     for (const MeshEntry& mesh : mesh_catalogue()) known += std::string(mesh.name) + ", ";
+    for (const GalleryScene& shown : gallery_scenes()) known += std::string(shown.name) + ", ";
     throw std::invalid_argument(quoted(name) + " is no scene; there are " + known +
                                 "and files that end in .nff, .aff, .obj, .ply, .off or .stl "
                                 "(also .xz or .gz)");
@@ -74,6 +78,16 @@ std::string options_of(const GeneratorInfo& generator) {
     return text.str();
 }
 
+constexpr const char* animation_options = "frame=0.., frames=1.., shutter=0..1";
+
+void append_gallery(std::vector<SceneInfo>& scenes) {
+    for (const GalleryScene& shown : gallery_scenes()) {
+        const bool available = present(file_of(shown));
+        scenes.push_back({std::string(shown.name), animation_options, std::string(shown.summary),
+                          available, available ? "" : how_to_get(shown)});
+    }
+}
+
 void append_collection(std::vector<SceneInfo>& scenes) {
     const auto folder = scene_collection();
     if (!folder) return;
@@ -85,9 +99,8 @@ void append_collection(std::vector<SceneInfo>& scenes) {
             names.push_back(file->path().lexically_relative(*folder).generic_string());
     std::ranges::sort(names);
     for (const std::string& name : names)
-        scenes.push_back(
-            {name, is_animation(name) ? "frame=0.., frames=1.., shutter=0..1" : "loop=0..8 (0)",
-             "a file below $RAYSHOOT_SCENES", true, ""});
+        scenes.push_back({name, is_animation(name) ? animation_options : "loop=0..8 (0)",
+                          "a file below $RAYSHOOT_SCENES", true, ""});
 }
 
 }  // namespace
@@ -105,6 +118,9 @@ Scene load_scene(std::string_view scene) {
         result = load_catalogued(*mesh, options);
     } else {
         const fs::path path = resolved(name);
+        if (const GalleryScene* shown = find_gallery_scene(name); shown && !present(path))
+            throw std::invalid_argument(
+                std::string(name) + " is not on this machine; to get it: " + how_to_get(*shown));
         if (!path.empty() && !present(path) && !known_format(path)) refuse_unknown(name);
         if (present(path) && fs::is_regular_file(path) && !known_format(path))
             throw std::invalid_argument(
@@ -141,6 +157,7 @@ std::vector<SceneInfo> list_scenes() {
         scenes.push_back({std::string(mesh.name), "loop=0..8 (0)", std::string(mesh.summary),
                           available, available ? "" : how_to_get(mesh)});
     }
+    append_gallery(scenes);
     append_collection(scenes);
     return scenes;
 }

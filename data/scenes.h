@@ -10,6 +10,7 @@
 ///
 ///     spd/balls   spd/tetra:size=8   soup:count=100000,seed=7     a generated scene
 ///     mesh/bunny  mesh/spot:loop=2                                a mesh of the catalogue
+///     gallery/glass                                               a scene of data/gallery
 ///     path/to/scene.nff.xz   model.ply:loop=1,precision=watertight   a file
 ///
 ///     car.aff:frame=120          swing.nff:frame=3,frames=24,shutter=0.5      a moment of it
@@ -36,7 +37,7 @@ struct SceneInfo {
     std::string command;  ///< what gets it where it is not available, else empty
 };
 
-/// The generated scenes, the meshes of the catalogue and the files below $RAYSHOOT_SCENES.
+/// The generated scenes, the meshes of the catalogue, the gallery's scenes and the files below $RAYSHOOT_SCENES.
 std::vector<SceneInfo> list_scenes();
 
 }  // namespace rayshoot

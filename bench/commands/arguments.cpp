@@ -38,8 +38,8 @@ void require_affordable(const ImageFormat& format) {
 
 bool follows_spd_rules(const std::string& scene) {
     const std::string path = scene.substr(0, scene.find(':'));
-    return path.starts_with("spd/") || path.ends_with(".nff") || path.ends_with(".nff.xz") ||
-           path.ends_with(".nff.gz");
+    return path.starts_with("spd/") || path.starts_with("gallery/") || path.ends_with(".nff") ||
+           path.ends_with(".nff.xz") || path.ends_with(".nff.gz");
 }
 
 }  // namespace

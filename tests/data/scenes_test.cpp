@@ -1,11 +1,13 @@
 #include "data/scenes.h"
 
+#include "data/gallery_scenes.h"
 #include "data/mesh_catalogue.h"
 #include "tests/data/messages.h"
 #include "tests/data/temporary_folder.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 namespace rayshoot {
 namespace {
@@ -104,7 +106,9 @@ TEST(SceneList, names_every_scene_once_and_what_gets_a_missing_one) {
         names.push_back(scene.name);
         EXPECT_FALSE(scene.summary.empty()) << scene.name;
         EXPECT_EQ(scene.available, scene.command.empty()) << scene.name;
-        EXPECT_EQ(scene.available, !scene.name.starts_with("mesh/")) << scene.name;
+        const bool in_a_file =
+            scene.name.starts_with("mesh/") || scene.name.starts_with("gallery/");
+        EXPECT_EQ(scene.available, !in_a_file) << scene.name;
         EXPECT_EQ(scene.command.find(empty.path().string()), std::string::npos);
         if (!scene.available) {
             EXPECT_TRUE(contains(refusal(scene.name), scene.command));
@@ -126,6 +130,29 @@ TEST(SceneList, names_the_files_of_the_collection) {
     ASSERT_NE(found, scenes.end());
     EXPECT_EQ(load_scene(found->name).geometry.size(), 4u);
     EXPECT_EQ(std::ranges::find(scenes, "x/notes.txt", &SceneInfo::name), scenes.end());
+}
+
+TEST(Gallery, has_a_name_for_each_of_its_files) {
+    std::set<std::string> files, names;
+    for (const auto& file : std::filesystem::directory_iterator(data_folder() / "gallery"))
+        files.insert("gallery/" + file.path().stem().string());
+    for (const GalleryScene& scene : gallery_scenes()) names.insert(std::string(scene.name));
+    EXPECT_EQ(names, files);
+}
+
+TEST(Gallery, scenes_are_those_of_their_files) {
+    for (const GalleryScene& shown : gallery_scenes()) {
+        const Scene scene = load_scene(shown.name);
+        EXPECT_EQ(scene.name, shown.name);
+        EXPECT_EQ(digest(scene), digest(load_scene(file_of(shown).string()))) << shown.name;
+    }
+}
+
+TEST(Gallery, scenes_have_frames) {
+    const auto third = load_frame("gallery/wagon_wheel", 2, 12);
+    EXPECT_EQ(digest(third), digest(load_scene("gallery/wagon_wheel:frame=2,frames=12")));
+    EXPECT_NE(digest(third), digest(load_scene("gallery/wagon_wheel:frame=3,frames=12")));
+    EXPECT_TRUE(contains(refusal("gallery/glass:size=2"), "unknown option 'size'"));
 }
 
 TEST(MeshCatalogue, meshes_of_the_package_have_their_triangles) {
