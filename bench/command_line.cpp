@@ -35,6 +35,7 @@ int execute(const Catalogue& catalogue, int argc, const char* const* argv, std::
     add_replay(app, invocation);
     add_seed_question(app, invocation);
     add_textbook(app, invocation);
+    add_gallery(app, invocation);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& wrong) {

@@ -33,5 +33,6 @@ void add_report(CLI::App& app, Invocation& invocation);
 void add_replay(CLI::App& app, Invocation& invocation);
 void add_seed_question(CLI::App& app, Invocation& invocation);
 void add_textbook(CLI::App& app, Invocation& invocation);
+void add_gallery(CLI::App& app, Invocation& invocation);
 
 }  // namespace rayshoot
