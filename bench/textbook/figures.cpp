@@ -17,6 +17,14 @@ constexpr Figure in_order[]{
     {"footprint", "The footprint of the raised cosine of radius 1.7", footprint},
     {"sample_sums", "Variation of the sum of a sample's weights with its place in the pixel",
      sample_sums},
+    {"wagon_wheel", "Frames of a turning wheel, with an instant and with an open shutter",
+     wagon_wheel},
+    {"motion_blur", "Motion blur before and after, and the profile of a moving edge", motion_blur},
+    {"depth_of_field", "Depth of field before and after, and the circle of confusion",
+     depth_of_field},
+    {"soft_shadow", "Soft shadows before and after, and the profile of a penumbra", soft_shadow},
+    {"blurred_reflection", "Blurred reflection before and after, and the width of a mirrored edge",
+     blurred_reflection},
 };
 
 }  // namespace

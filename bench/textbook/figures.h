@@ -37,5 +37,10 @@ void antialiasing(const Studio& studio, Sheet& sheet);
 void equal_volume(const Studio& studio, Sheet& sheet);
 void footprint(const Studio& studio, Sheet& sheet);
 void sample_sums(const Studio& studio, Sheet& sheet);
+void wagon_wheel(const Studio& studio, Sheet& sheet);
+void motion_blur(const Studio& studio, Sheet& sheet);
+void depth_of_field(const Studio& studio, Sheet& sheet);
+void soft_shadow(const Studio& studio, Sheet& sheet);
+void blurred_reflection(const Studio& studio, Sheet& sheet);
 
 }  // namespace rayshoot::textbook

@@ -2,6 +2,7 @@
 
 #include "bench/textbook/filtered.h"
 #include "bench/textbook/pictures.h"
+#include "bench/textbook/shots.h"
 #include "tests/bench/command.h"
 
 #include <gtest/gtest.h>
@@ -185,6 +186,28 @@ TEST(Pictures, are_cut_enlarged_and_laid_side_by_side) {
     EXPECT_EQ(rows.at(9, 1), vec3(1, 0, 0));
     EXPECT_EQ(rows.at(2, 7), vec3(1, 0, 0));
     EXPECT_EQ(rows.at(9, 7), vec3(1)) << "no fourth picture";
+}
+
+TEST(Profile, crosses_a_level_between_its_points) {
+    const Profile ramp{{0, 0}, {1, 0}, {3, 1}, {4, 1}};
+    EXPECT_DOUBLE_EQ(crossing(ramp, 0.25), 1.5);
+    EXPECT_DOUBLE_EQ(tenth_to_ninth_width(ramp), 1.6);
+    const Profile falling{{0, 1}, {3, 0}};
+    EXPECT_DOUBLE_EQ(tenth_to_ninth_width(falling), 2.4);
+    EXPECT_THROW(crossing(ramp, 2), std::runtime_error);
+}
+
+TEST(Profile, departs_from_a_curve_by_its_farthest_point) {
+    const Profile points{{0, 0}, {1, 1.25}, {2, 1.5}};
+    const auto line = [](double x) { return x; };
+    EXPECT_DOUBLE_EQ(largest_departure(points, line), 0.5);
+    EXPECT_EQ(at_places_of(points, line), (Profile{{0, 0}, {1, 1}, {2, 2}}));
+}
+
+TEST(Verdicts, allow_a_share_on_either_side) {
+    EXPECT_EQ(agrees_within(1.01, 1, 0.02), Verdict::agrees);
+    EXPECT_EQ(agrees_within(-0.97, -1, 0.02), Verdict::off);
+    EXPECT_EQ(agrees_within(-2.5, 2.5, 0.02), Verdict::off);
 }
 
 }  // namespace
