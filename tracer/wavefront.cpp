@@ -12,9 +12,7 @@ void clear(Sent::Rays& rays) {
 
 void clear(Sent::Shadows& shadows) {
     shadows.rays.clear();
-    shadows.sources.clear();
-    shadows.shots.clear();
-    shadows.radiances.clear();
+    shadows.arriving.clear();
 }
 
 }  // namespace
@@ -39,14 +37,15 @@ void Wavefront::trace(std::span<Shot> shots, int level, float pdf) {
 
 void Wavefront::start(std::span<Shot> shots, int level, float pdf) {
     sent_.shots = shots;
-    clear(wave_);
-    sources_.clear();
     const Cause cause = level == 1 ? Cause::camera : Cause::reflection;
+    wave_.rays.resize(shots.size());
+    wave_.paths.resize(shots.size());
+    sources_.resize(shots.size());
     for (std::uint32_t i = 0; i < shots.size(); ++i) {
-        wave_.rays.push_back(shots[i].ray);
-        wave_.paths.push_back(
-            {.shot = i, .cause = cause, .pdf = pdf, .from = dvec3(shots[i].ray.origin)});
-        sources_.push_back(shots[i].source);
+        wave_.rays[i] = shots[i].ray;
+        wave_.paths[i] = {
+            .shot = i, .cause = cause, .pdf = pdf, .from = dvec3(shots[i].ray.origin)};
+        sources_[i] = shots[i].source;
     }
 }
 
@@ -75,22 +74,26 @@ void Wavefront::trace_batch(std::size_t first, std::size_t count, int level) {
         if (path.place == 1) shot.distance = hit.t;
         integrator_.shade({batch.rays[i], hit, path, shot, level}, sent_);
     }
-    for (Sent::Shadows& shadows : sent_.shadows) trace_shadows(shadows, level);
+    for (std::uint32_t light = 0; light < sent_.shadows.size(); ++light)
+        trace_shadows(light, level);
 }
 
-void Wavefront::trace_shadows(Sent::Shadows& shadows, int level) {
+void Wavefront::trace_shadows(std::uint32_t light, int level) {
+    Sent::Shadows& shadows = sent_.shadows[light];
+    light_sources_.assign(std::min(batch_, shadows.rays.size()), Source::light(light));
     for (std::size_t first = 0; first < shadows.rays.size(); first += batch_) {
         const std::size_t count = std::min(batch_, shadows.rays.size() - first);
         const auto occluded = std::span(occluded_).first(count);
         const RayBatch batch{RayKind::shadow, static_cast<std::uint8_t>(level),
                              std::span(shadows.rays).subspan(first, count),
-                             std::span(shadows.sources).subspan(first, count)};
+                             std::span(light_sources_).first(count)};
         ask([&] { session_.occluded(batch, occluded); });
         counts_[Cause::shadow].rays += count;
         for (std::size_t i = 0; i < count; ++i) {
             counts_[Cause::shadow].hits += occluded[i];
             if (occluded[i]) continue;
-            sent_.shots[shadows.shots[first + i]].radiance += shadows.radiances[first + i];
+            const Sent::Arriving& arriving = shadows.arriving[first + i];
+            sent_.shots[arriving.shot].radiance += arriving.radiance;
         }
     }
     clear(shadows);

@@ -32,7 +32,7 @@ public:
 private:
     void start(std::span<Shot> shots, int level, float pdf);
     void trace_batch(std::size_t first, std::size_t count, int level);
-    void trace_shadows(Sent::Shadows& shadows, int level);
+    void trace_shadows(std::uint32_t light, int level);
     void turn_wave();
     template <class Question>
     void ask(const Question& question);
@@ -43,7 +43,8 @@ private:
     RayCounts counts_;
     std::chrono::nanoseconds answering_{0};
     Sent::Rays wave_;
-    std::vector<Source> sources_;  ///< of camera rays
+    std::vector<Source> sources_;        ///< of camera rays
+    std::vector<Source> light_sources_;  ///< of shadow rays: of a batch, all alike
     Sent sent_;
     std::vector<Hit> hits_;
     std::vector<std::uint8_t> occluded_;

@@ -23,6 +23,9 @@ struct Shot {
     std::uint32_t sample = 0;   ///< its number among those of the sampler
     vec3 radiance{0};           ///< out: linear RGB
     float distance = infinity;  ///< out: t of the first hit
+
+    float number(Dimension of) const { return sampler->number(pixel, sample, of); }
+    Pair pair(Dimension of) const { return sampler->pair(pixel, sample, of); }
 };
 
 /// What is left to know of a ray when its hit comes back.
@@ -46,8 +49,8 @@ struct Visit {
     Dimension dimension(Use use) const { return {use, path.place}; }
     float number(Use use) const { return number(dimension(use)); }
     Pair pair(Use use) const { return pair(dimension(use)); }
-    float number(Dimension of) const { return shot.sampler->number(shot.pixel, shot.sample, of); }
-    Pair pair(Dimension of) const { return shot.sampler->pair(shot.pixel, shot.sample, of); }
+    float number(Dimension of) const { return shot.number(of); }
+    Pair pair(Dimension of) const { return shot.pair(of); }
 };
 
 /// What the hits of a wave send on.
@@ -56,12 +59,15 @@ struct Sent {
         std::vector<Ray> rays;
         std::vector<Path> paths;
     };
-    /// Rays to one light, and what arrives along each when nothing is in between.
+    /// Light that arrives if nothing is in between.
+    struct Arriving {
+        vec3 radiance;
+        std::uint32_t shot = 0;
+    };
+    /// Rays to one light, and what arrives along each.
     struct Shadows {
         std::vector<Ray> rays;
-        std::vector<Source> sources;
-        std::vector<std::uint32_t> shots;
-        std::vector<vec3> radiances;
+        std::vector<Arriving> arriving;
     };
 
     std::span<Shot> shots;
@@ -74,16 +80,21 @@ struct Sent {
     }
     /// `arriving`: at the eye of `to`'s ray, if the light is seen.
     void shadow(std::uint32_t light, const Ray& ray, const Path& to, const vec3& arriving) {
-        Shadows& rays = shadows[light];
-        rays.rays.push_back(ray);
-        rays.sources.push_back(Source::light(light));
-        rays.shots.push_back(to.shot);
-        rays.radiances.push_back(arriving * to.throughput);
+        append(ray, shadows[light].rays);
+        append({arriving * to.throughput, to.shot}, shadows[light].arriving);
     }
     void ray(const Ray& ray, const Path& path) {
         Rays& rays = path.cause == Cause::reflection ? reflections : refractions;
-        rays.rays.push_back(ray);
-        rays.paths.push_back(path);
+        append(ray, rays.rays);
+        append(path, rays.paths);
+    }
+
+private:
+    /// A push_back takes an address: what was just computed would go through memory in small
+    /// pieces, to be read again in large ones, which processors wait for.
+    template <class Value>
+    [[gnu::always_inline]] static void append(const Value& value, std::vector<Value>& to) {
+        to.emplace_back() = value;
     }
 };
 
