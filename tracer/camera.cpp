@@ -113,36 +113,21 @@ void CameraRays::open_lens(const Camera& camera) {
     view_.motion = camera.motion;
 }
 
-Pixel CameraRays::cell(double raster_x, double raster_y) {
-    return {static_cast<std::int16_t>(std::floor(raster_x)),
-            static_cast<std::int16_t>(std::floor(raster_y))};
+dvec3 CameraRays::on_lens(Pair lens) const {
+    const AperturePoint on = on_aperture(*lens_, lens);
+    return on.right * right_ + on.up * up_;
 }
 
-Ray CameraRays::ray(double raster_x, double raster_y, Pair lens, float time) const {
-    const dvec3 direction = to_corner_ + across_ * raster_x + down_ * raster_y;
-    if (!lens_) return placed({dvec3(0), direction}, time);
-    const AperturePoint on = on_aperture(*lens_, lens);
-    return placed({on.right * right_ + on.up * up_, direction}, time);
+dvec3 CameraRays::moved(dvec3 at_rest, float time) const {
+    return view_.motion ? move_to_world(*view_.motion, time, at_rest) : at_rest;
 }
 
 /// The origin is rounded first and the direction then aims from there at the point in focus, so
 /// that the ray keeps to its raster cell wherever the coordinates' origin is.
-Ray CameraRays::placed(const AtRest& at_rest, float time) const {
-    Ray ray;
-    ray.time = time;
-    ray.origin = view_.eye;
-    ray.direction = vec3(at_rest.direction);
-    if (!lens_ && !view_.motion) return ray;
+vec3 CameraRays::focused(vec3 origin, dvec3 direction, float time) const {
     const double distance = view_.focus_distance;
-    dvec3 start = dvec3(view_.eye) + at_rest.on_lens;
-    dvec3 in_focus = dvec3(view_.eye) + distance * at_rest.direction;
-    if (view_.motion) {
-        start = move_to_world(*view_.motion, time, start);
-        in_focus = move_to_world(*view_.motion, time, in_focus);
-    }
-    ray.origin = vec3(start);
-    ray.direction = vec3((in_focus - dvec3(ray.origin)) / distance);
-    return ray;
+    const dvec3 in_focus = moved(dvec3(view_.eye) + distance * direction, time);
+    return vec3((in_focus - dvec3(origin)) / distance);
 }
 
 Ray CameraRays::ray(Pixel pixel, int sample) const {
@@ -155,8 +140,8 @@ Ray CameraRays::ray(Pixel pixel, int sample) const {
         x = (sample % strata_across_ + double{random.number(0)}) / strata_across_;
         y = (sample / strata_across_ + double{random.number(1)}) / strata_down_;
     }
-    // In double, so that the only rounding is the last one.
-    return placed({dvec3(0), to_corner_ + across_ * (pixel.x + x) + down_ * (pixel.y + y)}, 0);
+    const dvec3 direction = to_corner_ + across_ * (pixel.x + x) + down_ * (pixel.y + y);
+    return placed(dvec3(0), direction, 0);
 }
 
 }  // namespace rayshoot

@@ -61,10 +61,17 @@ public:
     /// meets the pinhole's ray through (x, y) on the plane in focus, at t = focus distance. `time`:
     /// shutter time in [0, 1]; a moving camera is taken where it is then. Its Source is
     /// source(x, y).
-    Ray ray(double raster_x, double raster_y, Pair lens, float time) const;
+    Ray ray(double raster_x, double raster_y, Pair lens, float time) const {
+        // In double, so that the only rounding is the last one.
+        const dvec3 direction = to_corner_ + across_ * raster_x + down_ * raster_y;
+        return placed(lens_ ? on_lens(lens) : dvec3(0), direction, time);
+    }
 
     /// The cell that a raster point lies in.
-    static Pixel cell(double raster_x, double raster_y);
+    static Pixel cell(double raster_x, double raster_y) {
+        return {static_cast<std::int16_t>(std::floor(raster_x)),
+                static_cast<std::int16_t>(std::floor(raster_y))};
+    }
     static Source source(double raster_x, double raster_y) {
         return source(cell(raster_x, raster_y));
     }
@@ -78,12 +85,20 @@ public:
     const ImageFormat& format() const { return format_; }
 
 private:
-    /// A ray's start before motion and rounding, relative to the eye, and its direction there.
-    struct AtRest {
-        dvec3 on_lens, direction;
-    };
     void open_lens(const Camera& camera);
-    Ray placed(const AtRest& at_rest, float time) const;
+    /// Relative to the eye, before the camera moves.
+    dvec3 on_lens(Pair lens) const;
+    /// From `on_lens`; `direction`: of the pinhole's ray.
+    Ray placed(const dvec3& on_lens, const dvec3& direction, float time) const {
+        vec3 origin = view_.eye, aim(direction);
+        if (lens_ || view_.motion) {
+            origin = vec3(moved(dvec3(view_.eye) + on_lens, time));
+            aim = focused(origin, direction, time);
+        }
+        return {.origin = origin, .direction = aim, .time = time};
+    }
+    dvec3 moved(dvec3 at_rest, float time) const;
+    vec3 focused(vec3 origin, dvec3 direction, float time) const;
 
     ImageFormat format_;
     View view_;

@@ -12,12 +12,6 @@ namespace rayshoot {
 /// The scene's shutter; where nothing moves, an instant.
 Shutter shutter_of(const Scene& scene, ShutterWeight weight = ShutterWeight::box);
 
-/// A camera sample, to be traced, and what of it goes to the film.
-struct CameraSample {
-    Shot shot;
-    FilmSample on_film;  ///< its radiance is the shot's, once that was traced
-};
-
 /// Cook, Porter & Carpenter 1984: the samples of a pixel serve the filter, the lens and the time at
 /// once, each with a stratification of its own.
 class CameraSamples {
@@ -31,10 +25,16 @@ public:
         return reconstruction_ == Reconstruction::splat ||
                reconstruction_ == Reconstruction::splat_undivided;
     }
-    /// Sample `sample` of those that `sampler` has for `pixel`.
-    CameraSample sample(const Sampler& sampler, Pixel pixel, std::uint32_t sample) const;
+    /// Appends all samples that `sampler` has for `pixel`: to be traced, and what of them goes to
+    /// the film, whose radiance is the shot's once that was traced.
+    void sample(const Sampler& sampler, Pixel pixel, std::vector<Shot>& shots,
+                std::vector<FilmSample>& on_film) const;
 
 private:
+    /// Fills in what differs from one sample of a pixel to the next.
+    void expose(Shot& shot, FilmSample& on_film) const;
+    Filter::Offset from_middle(Pair in_cell) const;
+
     const CameraRays& camera_;
     const Filter& filter_;
     Reconstruction reconstruction_;

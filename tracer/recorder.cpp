@@ -102,13 +102,12 @@ void trace_camera_rays(const Scene& scene, const ImageFormat& format, Session& s
     Wavefront wavefront(*integrator, session, scene.lights.size(), default_batch);
     const Tiles tiles(format, default_batch);
     std::vector<Shot> shots;
+    std::vector<FilmSample> on_film;
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
         shots.clear();
-        for (const Pixel pixel : tiles.tile(tile)) {
-            for (std::uint32_t sample = 0; sample < static_cast<std::uint32_t>(format.spp);
-                 ++sample)
-                shots.push_back(camera_samples.sample(sampler, pixel, sample).shot);
-        }
+        on_film.clear();
+        for (const Pixel pixel : tiles.tile(tile))
+            camera_samples.sample(sampler, pixel, shots, on_film);
         wavefront.trace(shots);
     }
 }

@@ -13,50 +13,52 @@ TileTracer::TileTracer(const CameraSamples& samples, const Sampling& sampling, F
 void TileTracer::trace(std::size_t number, std::span<const Pixel> tile) {
     states_.assign(tile.size(), {});
     on_film_.clear();
-    pixels_on_film_.clear();
+    runs_.clear();
     for (int round = 0; sample_round(round, tile); ++round) {
         wavefront_.trace(shots_);
-        keep_round(round);
+        end_round(round);
     }
-    if (camera_samples_.splats()) {
-        for (std::size_t i = 0; i < on_film_.size(); ++i)
-            on_film_[i].weight = 1.0f / static_cast<float>(states_[pixels_on_film_[i]].taken);
-    }
+    if (camera_samples_.splats()) share_cells();
     film_.add(number, on_film_);
 }
 
 /// False when no pixel of the tile needs any more.
 bool TileTracer::sample_round(int round, std::span<const Pixel> tile) {
     shots_.clear();
-    exposed_.clear();
-    pixels_.clear();
+    runs_before_ = runs_.size();
     for (std::uint32_t pixel = 0; pixel < tile.size(); ++pixel) {
         PixelState& state = states_[pixel];
         const int count = state.done ? 0 : samples_of(round, state.seen);
         state.done = count == 0;
         if (state.done) continue;
-        const Sampler& numbers = sampler(count, round);
-        for (int sample = 0; sample < count; ++sample) {
-            const CameraSample made =
-                camera_samples_.sample(numbers, tile[pixel], static_cast<std::uint32_t>(sample));
-            shots_.push_back(made.shot);
-            exposed_.push_back(made.on_film);
-            pixels_.push_back(pixel);
-        }
+        camera_samples_.sample(sampler(count, round), tile[pixel], shots_, on_film_);
+        runs_.push_back({pixel, static_cast<std::uint32_t>(count)});
     }
     return !shots_.empty();
 }
 
-void TileTracer::keep_round(int round) {
-    const bool keeps = !sampling_.adaptive || sampling_.adaptive->keeps(round);
-    for (std::size_t i = 0; i < shots_.size(); ++i) {
-        PixelState& state = states_[pixels_[i]];
-        if (sampling_.adaptive) state.seen.add(shots_[i].radiance);
-        if (!keeps) continue;
-        ++state.taken;
-        exposed_[i].radiance = shots_[i].radiance;
-        on_film_.push_back(exposed_[i]);
-        pixels_on_film_.push_back(pixels_[i]);
+void TileTracer::end_round(int round) {
+    const std::size_t before = on_film_.size() - shots_.size();
+    for (std::size_t i = 0; i < shots_.size(); ++i)
+        on_film_[before + i].radiance = shots_[i].radiance;
+    if (!sampling_.adaptive) return;
+    auto shot = shots_.begin();
+    for (const Run& run : std::span(runs_).subspan(runs_before_)) {
+        for (std::uint32_t i = 0; i < run.samples; ++i)
+            states_[run.pixel].seen.add((shot++)->radiance);
+    }
+    if (sampling_.adaptive->keeps(round)) return;
+    on_film_.resize(before);
+    runs_.resize(runs_before_);
+}
+
+/// Each sample is given its share of its cell.
+void TileTracer::share_cells() {
+    for (const Run& run : runs_) states_[run.pixel].taken += run.samples;
+    auto sample = on_film_.begin();
+    for (const Run& run : runs_) {
+        const float share = 1.0f / static_cast<float>(states_[run.pixel].taken);
+        for (std::uint32_t i = 0; i < run.samples; ++i) (sample++)->weight = share;
     }
 }
 

@@ -33,13 +33,19 @@ public:
 private:
     struct PixelState {
         SampleStatistics seen;
-        int taken = 0;      ///< samples that went to the film
-        bool done = false;  ///< the stopping rule has said so, and is not asked again
+        std::uint32_t taken = 0;  ///< samples that went to the film, when splatting
+        bool done = false;        ///< the stopping rule has said so, and is not asked again
+    };
+    /// Samples of a round that follow each other.
+    struct Run {
+        std::uint32_t pixel;  ///< whose they are, in the tile
+        std::uint32_t samples;
     };
     const Sampler& sampler(int count, int round);
     int samples_of(int round, const SampleStatistics& seen) const;
     bool sample_round(int round, std::span<const Pixel> tile);
-    void keep_round(int round);
+    void end_round(int round);
+    void share_cells();
 
     const CameraSamples& camera_samples_;
     const Sampling& sampling_;
@@ -47,12 +53,10 @@ private:
     Wavefront wavefront_;
     std::map<std::pair<int, int>, Sampler> samplers_;  ///< by number of samples and round
     std::vector<PixelState> states_;                   ///< of the tile's pixels
-    /// Of the round: shots, what of them goes to the film, and whose they are in the tile.
-    std::vector<Shot> shots_;
-    std::vector<FilmSample> exposed_;
-    std::vector<std::uint32_t> pixels_;
-    std::vector<FilmSample> on_film_;            ///< of all rounds
-    std::vector<std::uint32_t> pixels_on_film_;  ///< whose those are
+    std::vector<Shot> shots_;                          ///< of the round
+    std::vector<FilmSample> on_film_;                  ///< of the rounds that are kept
+    std::vector<Run> runs_;                            ///< whose those are
+    std::size_t runs_before_ = 0;                      ///< of the rounds before this one
 };
 
 }  // namespace rayshoot

@@ -64,7 +64,7 @@ double Filter::operator()(double x, double y) const {
     return along_axis(x) * along_axis(y);
 }
 
-Filter::Offset Filter::importance(Pair pair) const {
+Filter::Offset Filter::by_quantiles(Pair pair) const {
     const double radius = settings_.radius;
     const FilterKind kind = settings_.kind;
     if (!separable()) return polar(radius * shape::quantile(kind, pair.u), pair.v);

@@ -66,12 +66,18 @@ public:
     /// negative lobes the sign of w times integral of |w| / integral of w. On a disc u goes with
     /// the radius and v with the azimuth, counted from the x axis; on a square u with x, v with y:
     /// so strata of pairs are regions of equal volume (regions.h).
-    Offset importance(Pair pair) const;
+    Offset importance(Pair pair) const {
+        const double radius = settings_.radius;
+        if (settings_.kind != FilterKind::box) return by_quantiles(pair);
+        return {radius * (2.0 * pair.u - 1), radius * (2.0 * pair.v - 1), 1};  // it is uniform
+    }
     /// Uniform over the support, u and v as above: strata of pairs are regions of equal area. The
     /// weight is w * area of the support / integral of w.
     Offset uniform(Pair pair) const;
 
 private:
+    Offset by_quantiles(Pair pair) const;
+
     FilterSettings settings_;
     double integral_, of_magnitude_;  ///< of w and of |w|
 };
