@@ -36,21 +36,27 @@ void require_valid(int width, int height, const Filter& filter, Reconstruction w
     }
 }
 
+vec3 light(const Sum& sum) { return {sum.of[0], sum.of[1], sum.of[2]}; }
+
 /// Float by float, in the order of samples: so that the mean of a box filter is what adding up in
 /// the image and multiplying by 1 / samples gives, bit for bit.
-void add_rounded(Sum& sum, const FilmSample& sample) {
-    for (int channel = 0; channel < 3; ++channel) {
-        double& of = sum.of[static_cast<std::size_t>(channel)];
-        of = static_cast<float>(of) + sample.radiance[channel] * sample.weight;
-    }
-    sum.of[3] += 1;
+void add_rounded(Sum& sum, std::span<const FilmSample> samples) {
+    vec3 rounded = light(sum);
+    for (const FilmSample& sample : samples) rounded += sample.radiance * sample.weight;
+    sum.of = {rounded.x, rounded.y, rounded.z, sum.of[3] + static_cast<double>(samples.size())};
 }
 
-void add_exact(Sum& sum, const FilmSample& sample) {
-    sum.add({sample.radiance.x, sample.radiance.y, sample.radiance.z, 1}, sample.weight);
+void add_exact(Sum& sum, std::span<const FilmSample> samples) {
+    for (const auto& [pixel, x, y, radiance, weight] : samples)
+        sum.add({radiance.x, radiance.y, radiance.z, 1}, weight);
 }
 
-vec3 light(const Sum& sum) { return {sum.of[0], sum.of[1], sum.of[2]}; }
+/// The samples from the first on that are of its pixel.
+std::span<const FilmSample> first_run(std::span<const FilmSample> samples) {
+    const auto end = std::ranges::find_if_not(
+        samples, [&](const FilmSample& sample) { return sample.pixel == samples.front().pixel; });
+    return samples.first(static_cast<std::size_t>(end - samples.begin()));
+}
 
 vec3 mean(const Sum& sum) {
     if (sum.of[3] == 0) return vec3(0);
@@ -121,13 +127,15 @@ private:
 
 void Film::Sums::add_own(std::span<const FilmSample> samples) {
     const std::lock_guard lock(mutex_);
-    for (const FilmSample& sample : samples) {
-        Sum* sum = pixels_.find(sample.pixel.x, sample.pixel.y);
+    while (!samples.empty()) {
+        const auto run = first_run(samples);
+        samples = samples.subspan(run.size());
+        Sum* sum = pixels_.find(run.front().pixel.x, run.front().pixel.y);
         if (sum == nullptr) continue;
         if (way_ == Reconstruction::importance) {
-            add_rounded(*sum, sample);
+            add_rounded(*sum, run);
         } else {
-            add_exact(*sum, sample);
+            add_exact(*sum, run);
         }
     }
 }
