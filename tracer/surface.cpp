@@ -133,9 +133,4 @@ double resting_error(const Geometry& geometry, std::uint32_t primitive) {
     return error + motion_factor * motion_size(geometry.motion(ref.motion));
 }
 
-vec3 spawn_origin(const SurfacePoint& point, const vec3& direction) {
-    const double side = dot(point.geometric, direction) < 0 ? -point.error : point.error;
-    return vec3(point.position + dvec3(point.geometric) * side);
-}
-
 }  // namespace rayshoot

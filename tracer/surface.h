@@ -26,6 +26,9 @@ double resting_error(const Geometry& geometry, std::uint32_t primitive);
 
 /// A float point on the side of the surface that `direction` leaves to, so far off it that no test
 /// finds the surface at t > 0 again.
-vec3 spawn_origin(const SurfacePoint& point, const vec3& direction);
+inline vec3 spawn_origin(const SurfacePoint& point, const vec3& direction) {
+    const double side = dot(point.geometric, direction) < 0 ? -point.error : point.error;
+    return vec3(point.position + dvec3(point.geometric) * side);
+}
 
 }  // namespace rayshoot

@@ -1,5 +1,9 @@
 #include "tracer/integrator/whitted.h"
 
+#include <algorithm>
+
+#include "tracer/bsdf/gloss.h"
+
 namespace rayshoot {
 namespace {
 
@@ -8,7 +12,21 @@ Dimension dimension_of(std::uint32_t light, const Visit& visit) {
     return visit.dimension(Use::light).child(2 + light);
 }
 
+bool any_emits(const Scene& scene) {
+    return std::ranges::any_of(scene.lights,
+                               [](const Light& l) { return !l.primitives.empty(); }) ||
+           std::ranges::any_of(scene.materials,
+                               [](const Material& m) { return m.emission != vec3(0); });
+}
+
 }  // namespace
+
+Whitted::Whitted(const Scene& scene, const TransportSettings& settings)
+    : scene_(scene),
+      lights_(scene),
+      ambient_(scene),
+      emits_(any_emits(scene)),
+      settings_(settings) {}
 
 void Whitted::shade(const Visit& visit, Sent& sent) const {
     if (visit.hit.primitive == no_primitive) {
@@ -16,9 +34,9 @@ void Whitted::shade(const Visit& visit, Sent& sent) const {
         return;
     }
     const Shade shade = make_shade(scene_, settings_.rules, visit.ray, visit.hit);
-    sent.radiance(visit.path,
-                  ambient(scene_, *shade.material) +
-                      lights_.emitted(visit.hit.primitive, shade.point, -shade.incoming));
+    vec3 radiance = ambient_.reflected(*shade.material);
+    if (emits_) radiance += lights_.emitted(visit.hit.primitive, shade.point, -shade.incoming);
+    sent.radiance(visit.path, radiance);
     light(shade, visit, sent);
     if (visit.depth < levels(settings_)) spawn(shade, visit, sent);
 }
@@ -52,23 +70,38 @@ void Whitted::light_by_lamp(std::uint32_t light, const Shade& shade, const Visit
     }
 }
 
+/// Wherever Ks > 0 or T > 0 a ray is mirrored, where T > 0 another one is refracted, unless it is
+/// totally reflected; then its share adds to the other's.
 void Whitted::spawn(const Shade& shade, const Visit& visit, Sent& sent) const {
-    Blur blur;
-    if (shade.material->gloss > 0) {
-        const Dimension lobe = visit.dimension(Use::lobe);
-        blur = {visit.pair(lobe.child(0)), visit.pair(lobe.child(1))};
+    const Material& material = *shade.material;
+    if (!(material.specular > 0 || material.transmittance > 0)) return;
+    float mirror_share = material.specular;
+    if (material.transmittance > 0) {
+        if (const auto direction = refracted(shade)) {
+            send(Cause::refraction, *direction, material.transmittance, shade, visit, sent);
+        } else {
+            ++sent.totally_reflected;
+            mirror_share += material.transmittance;
+        }
     }
-    const Spawned spawned = spawned_rays(shade, blur);
-    const auto send = [&](const SpawnedRay& ray, Cause cause, std::uint32_t branch) {
-        const std::uint32_t place = visit.dimension(Use::lobe).child(branch).place;
-        sent.ray(ray.ray, {.shot = visit.path.shot,
-                           .place = place,
-                           .cause = cause,
-                           .throughput = visit.path.throughput * ray.weight});
-    };
-    if (spawned.reflection) send(*spawned.reflection, Cause::reflection, 0);
-    if (spawned.refraction) send(*spawned.refraction, Cause::refraction, 1);
-    sent.totally_reflected += spawned.totally_reflected;
+    const vec3 direction = normalised(mirrored(shade.incoming, shade.normal));
+    send(Cause::reflection, direction, mirror_share, shade, visit, sent);
+}
+
+/// In the direction `sharp` of a perfect mirror or glass, or round it where the material blurs.
+/// Blurred rays that would leave to the wrong side of the surface are left out.
+void Whitted::send(Cause cause, const vec3& sharp, float share, const Shade& shade,
+                   const Visit& visit, Sent& sent) const {
+    const Dimension branch = visit.dimension(Use::lobe).child(cause == Cause::refraction);
+    BlurredRay blur{sharp, 1};
+    if (shade.material->gloss > 0)
+        blur = blurred(sharp, shade.point, shade.material->gloss, visit.pair(branch));
+    if (!(blur.weight > 0)) return;
+    sent.ray(spawned(shade, blur.direction),
+             {.shot = visit.path.shot,
+              .place = branch.place,
+              .cause = cause,
+              .throughput = visit.path.throughput * (share * blur.weight)});
 }
 
 }  // namespace rayshoot

@@ -13,8 +13,7 @@ namespace rayshoot {
 /// materials it reads what NFF has, gloss and emission.
 class Whitted final : public Integrator {
 public:
-    Whitted(const Scene& scene, const TransportSettings& settings)
-        : scene_(scene), lights_(scene), settings_(settings) {}
+    Whitted(const Scene& scene, const TransportSettings& settings);
 
     void shade(const Visit& visit, Sent& sent) const override;
 
@@ -23,9 +22,13 @@ private:
     void light_by_lamp(std::uint32_t light, const Shade& shade, const Visit& visit,
                        Sent& sent) const;
     void spawn(const Shade& shade, const Visit& visit, Sent& sent) const;
+    void send(Cause cause, const vec3& sharp, float share, const Shade& shade, const Visit& visit,
+              Sent& sent) const;
 
     const Scene& scene_;
     Lights lights_;
+    Ambient ambient_;
+    bool emits_;  ///< whether any surface does
     TransportSettings settings_;
 };
 

@@ -21,11 +21,6 @@ std::array<dvec3, 3> corners(const Triangle& triangle) {
 
 Box widened(const Box& box, float radius) { return radius > 0 ? box.grown(radius) : box; }
 
-dvec3 unit_or_up(const dvec3& direction) {
-    const double size = length(direction);
-    return size > 0 ? direction / size : dvec3(0, 0, 1);
-}
-
 /// Separation of a triangle, given from the box's centre, and a box of half size along `axis`.
 bool separated(const std::array<dvec3, 3>& p, const dvec3& half, const dvec3& axis) {
     const double a = dot(p[0], axis), b = dot(p[1], axis), c = dot(p[2], axis);
@@ -46,11 +41,6 @@ struct Distances {
 };
 
 }  // namespace
-
-vec3 geometric_normal(const Triangle& triangle) {
-    const auto [a, b, c] = corners(triangle);
-    return vec3(unit_or_up(cross(b - a, c - a)));
-}
 
 Box clipped_bounds(const Triangle& triangle, const Box& box) {
     const auto shape = corners(triangle);
@@ -131,10 +121,6 @@ float support(const Sphere& sphere, const vec3& direction) {
     const double farthest = std::fma(double(sphere.radius), length(d), dot(centre, d));
     const double size = (taxicab(centre) + sphere.radius) * taxicab(d);
     return rounded_up(std::fma(0x1p-49, size, farthest));
-}
-
-vec3 normal_at(const Sphere& sphere, const vec3& point) {
-    return vec3(unit_or_up(dvec3(point) - dvec3(sphere.centre)));
 }
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA

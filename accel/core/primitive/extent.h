@@ -20,8 +20,18 @@ bool overlaps(const Sphere& sphere, const Box& box, float radius);
 float support(const Triangle& triangle, const vec3& direction);
 float support(const Sphere& sphere, const vec3& direction);
 
+inline vec3 unit_or_up(const dvec3& direction) {
+    const double size = length(direction);
+    return size > 0 ? vec3(direction / size) : vec3(0, 0, 1);
+}
+
 /// Unit normals; (0, 0, 1) where the shape has none.
-vec3 geometric_normal(const Triangle& triangle);
-vec3 normal_at(const Sphere& sphere, const vec3& point);
+inline vec3 geometric_normal(const Triangle& triangle) {
+    const dvec3 a(triangle.a);
+    return unit_or_up(cross(dvec3(triangle.b) - a, dvec3(triangle.c) - a));
+}
+inline vec3 normal_at(const Sphere& sphere, const vec3& point) {
+    return unit_or_up(dvec3(point) - dvec3(sphere.centre));
+}
 
 }  // namespace rayshoot::inline RAYSHOOT_ISA
