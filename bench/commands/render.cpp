@@ -72,6 +72,8 @@ Rendered render_frame(const RenderArguments& arguments, ImageSettings settings, 
     const Stopwatch load_watch;
     Scene scene = load_frame(arguments.scene, frame, arguments.frames);
     const double load_seconds = load_watch.seconds();
+    for (const std::string& note : scene.notes)
+        if (frame == 0) invocation.err << "rayshoot: " << note << '\n';
     apply_to(scene.camera, settings);
     RenderSettings& how = settings.render;
     const ImageFormat format = image_format(scene, arguments.size, how.format.spp);

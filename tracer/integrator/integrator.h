@@ -35,7 +35,7 @@ struct Path {
     Cause cause = Cause::camera;
     vec3 throughput{1};  ///< its share of the shot's radiance
     float pdf = 0;       ///< per solid angle, of its direction; 0: it was not drawn from a density
-    dvec3 from{0};       ///< the point it was drawn at: the ray starts beside it
+    vec3 back{0};        ///< from the ray's start, beside the surface, to the point it was drawn at
 };
 
 /// A ray with its hit, which may be a miss.

@@ -84,7 +84,8 @@ void PathTracer::emission(const Vertex& vertex, const Visit& visit, Sent& sent) 
     const std::uint32_t light = lights_.light_of(primitive);
     if (visit.path.pdf > 0 && light != no_light) {
         const float aimed = lights_.probability(light) *
-                            lights_.pdf(light, visit.path.from, vertex.point, visit.ray.time);
+                            lights_.pdf(light, dvec3(visit.ray.origin) + dvec3(visit.path.back), vertex.point,
+                        visit.ray.time);
         radiance = radiance * power_heuristic(visit.path.pdf, aimed);
     }
     sent.radiance(visit.path, radiance);
@@ -120,7 +121,6 @@ void PathTracer::scatter(const Vertex& vertex, const Visit& visit, Sent& sent) c
         path.throughput = path.throughput * share(all - vertex.matt(sample->in, all), all);
     }
     path.pdf = sample->delta ? 0 : sample->pdf;
-    path.from = vertex.point.position;
     path.place = visit.dimension(Use::lobe).child(0).place;
     if (visit.depth >= settings_.roulette_level) {
         const float survival = std::min(most_survival, largest(path.throughput));
@@ -135,6 +135,7 @@ void PathTracer::scatter(const Vertex& vertex, const Visit& visit, Sent& sent) c
     ray.origin = spawn_origin(vertex.point, sample->in);
     ray.direction = sample->in;
     ray.time = visit.ray.time;
+    path.back = vec3(vertex.point.position - dvec3(ray.origin));
     sent.ray(ray, path);
 }
 
