@@ -37,7 +37,8 @@ struct SceneInfo {
     std::string command;  ///< what gets it where it is not available, else empty
 };
 
-/// The generated scenes, the meshes of the catalogue, the gallery's scenes and the files below $RAYSHOOT_SCENES.
+/// The generated scenes, the meshes of the catalogue, the gallery's scenes and the files below
+/// $RAYSHOOT_SCENES.
 std::vector<SceneInfo> list_scenes();
 
 }  // namespace rayshoot

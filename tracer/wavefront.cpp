@@ -43,8 +43,7 @@ void Wavefront::start(std::span<Shot> shots, int level, float pdf) {
     sources_.resize(shots.size());
     for (std::uint32_t i = 0; i < shots.size(); ++i) {
         wave_.rays[i] = shots[i].ray;
-        wave_.paths[i] = {
-            .shot = i, .cause = cause, .pdf = pdf};
+        wave_.paths[i] = {.shot = i, .cause = cause, .pdf = pdf};
         sources_[i] = shots[i].source;
     }
 }

@@ -84,8 +84,8 @@ void PathTracer::emission(const Vertex& vertex, const Visit& visit, Sent& sent) 
     const std::uint32_t light = lights_.light_of(primitive);
     if (visit.path.pdf > 0 && light != no_light) {
         const float aimed = lights_.probability(light) *
-                            lights_.pdf(light, dvec3(visit.ray.origin) + dvec3(visit.path.back), vertex.point,
-                        visit.ray.time);
+                            lights_.pdf(light, dvec3(visit.ray.origin) + dvec3(visit.path.back),
+                                        vertex.point, visit.ray.time);
         radiance = radiance * power_heuristic(visit.path.pdf, aimed);
     }
     sent.radiance(visit.path, radiance);
