@@ -4,6 +4,7 @@
 #include "bench/comparison/specimen.h"
 #include "bench/heatmap/heat_maps.h"
 #include "data/scenes.h"
+#include "tracer/settings.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 struct HeatmapArguments {
     std::string scene, quantity = "tests", size, spacing = "linear", out;
-    std::vector<std::string> structures;
+    std::vector<std::string> structures, settings;
     std::optional<double> top;
     int spp = 1;
     int repetitions = 3;
@@ -77,15 +78,22 @@ Json heatmap_document(const HeatmapArguments& arguments, const Catalogue& catalo
     require_valid(arguments, catalogue);
     const Cost cost = cost_named(arguments.quantity);
     const Spacing spacing = parse_spacing(arguments.spacing);
-    const Scene scene = load_scene(arguments.scene);
-    const ImageFormat format = image_format(scene, arguments.size, arguments.spp);
+    Scene scene = load_scene(arguments.scene);
+    ImageSettings image;
+    image.render.format.spp = arguments.spp;
+    for (const std::string& text : arguments.settings) apply_settings(text, image);
+    apply_to(scene.camera, image);
+    const ImageFormat given = image.render.format;
+    image.render.format = image_format(scene, arguments.size, given.spp);
+    image.render.format.seed = given.seed;
+    const RenderSettings settings = settings_by_pixel(image.render);
+    const ImageFormat& format = settings.format;
     std::vector<std::unique_ptr<Accel>> accels;
     for (const std::string& spec : arguments.structures) {
         require_takes(catalogue, spec, scene);
-        accels.push_back(build(catalogue, spec, build_input(scene, format)));
+        accels.push_back(build(catalogue, spec, build_input(scene, settings)));
     }
     std::filesystem::create_directories(arguments.out);  // before the long part, not after it
-    const RenderSettings settings = settings_by_pixel(format);
     HeatMaps heat = measure_heat(scene, accels, settings, cost, arguments.repetitions);
     heat.scale.spacing = spacing;
     if (arguments.top) heat.scale.high = *arguments.top;
@@ -118,6 +126,10 @@ void add_options(CLI::App& command, HeatmapArguments& arguments) {
                        "tests (default), steps, boxes or time, per pixel");
     command.add_option("--size", arguments.size, "WxH; default 513x513 (SPD, NFF) or 512x512");
     command.add_option("--spp", arguments.spp, "Camera rays per pixel (1)");
+    command
+        .add_option("--settings", arguments.settings,
+                    "As of `rayshoot render`, with a filter no wider than a pixel")
+        ->expected(1);
     command.add_option("--scale", arguments.spacing, "linear (default) or log, of 1 + value");
     command.add_option("--top", arguments.top,
                        "Value of the last colour; default: the largest of all structures");

@@ -76,10 +76,9 @@ Rendered render_frame(const RenderArguments& arguments, ImageSettings settings, 
         if (frame == 0) invocation.err << "rayshoot: " << note << '\n';
     apply_to(scene.camera, settings);
     RenderSettings& how = settings.render;
-    const ImageFormat format = image_format(scene, arguments.size, how.format.spp);
-    how.format.width = format.width;
-    how.format.height = format.height;
-    how.format.raster = format.raster;
+    const ImageFormat given = how.format;
+    how.format = image_format(scene, arguments.size, given.spp);
+    how.format.seed = given.seed;
     require_takes(invocation.catalogue, arguments.structure, scene);
     const Stopwatch build_watch;
     const auto accel = build(invocation.catalogue, arguments.structure, build_input(scene, how));

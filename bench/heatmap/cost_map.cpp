@@ -73,12 +73,18 @@ Cost cost_named(std::string_view name) {
                                 "\"; there are tests, steps, boxes and time");
 }
 
-RenderSettings settings_by_pixel(const ImageFormat& format) {
-    RenderSettings settings;
-    settings.format = format;
-    settings.batch = std::min(static_cast<std::size_t>(format.spp), max_batch);
-    settings.threads = 1;
-    return settings;
+RenderSettings settings_by_pixel(const RenderSettings& settings) {
+    if (settings.filter.radius > smallest_radius)
+        throw std::invalid_argument(
+            "a filter wider than a pixel shares its rays with others; leave it out, or give "
+            "radius=0.5");
+    if (settings.transport.method == Method::irradiance)
+        throw std::invalid_argument(
+            "the irradiance cache is filled for all pixels together; give method=path");
+    RenderSettings by_pixel = settings;
+    by_pixel.batch = std::min(static_cast<std::size_t>(settings.format.spp), max_batch);
+    by_pixel.threads = 1;
+    return by_pixel;
 }
 
 ScalarImage cost_map(const Scene& scene, const Accel& accel, const RenderSettings& settings,

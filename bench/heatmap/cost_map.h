@@ -21,9 +21,11 @@ std::string_view unit_of(Cost cost);
 /// Throws std::invalid_argument, listing the costs there are.
 Cost cost_named(std::string_view name);
 
-/// The settings of an image traced in batches of one pixel: at most `spp` rays in one call, in one
-/// lane. Slower than full batches, in which a structure takes several rays at once.
-RenderSettings settings_by_pixel(const ImageFormat& format);
+/// The same image traced in batches of one pixel: at most `spp` rays in one call, in one lane.
+/// Slower than full batches, in which a structure takes several rays at once. Throws
+/// std::invalid_argument where rays are not one pixel's: for filters wider than a pixel and the
+/// method irradiance.
+RenderSettings settings_by_pixel(const RenderSettings& settings);
 
 /// Every ray of a pixel, of whatever kind, is charged to the pixel. Counts are those of one
 /// counting session in the order of the tiles: their sum is what render() counts with these

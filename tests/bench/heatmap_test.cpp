@@ -21,6 +21,12 @@ using Json = nlohmann::ordered_json;
 const char* const scene_name = "spd/balls:size=2";
 constexpr ImageFormat small{20, 17, 1, Raster::corners, 0};
 
+RenderSettings settings_of(const ImageFormat& format) {
+    RenderSettings settings;
+    settings.format = format;
+    return settings;
+}
+
 std::unique_ptr<Accel> built(const Scene& scene, const std::string& spec,
                              const ImageFormat& format) {
     return build(built_in_catalogue(), spec, build_input(scene, format));
@@ -38,7 +44,7 @@ std::uint64_t counted(const Scene& scene, const Accel& accel, RenderSettings set
 
 TEST(CostMap, sums_to_what_the_image_counts_in_batches_of_one_ray) {
     const Scene scene = load_scene(scene_name);
-    const RenderSettings settings = settings_by_pixel(small);
+    const RenderSettings settings = settings_by_pixel(settings_of(small));
     EXPECT_EQ(settings.batch, 1u);
     for (const char* spec : {"brute_force", "bvh", "bvh8", "grid", "octree", "bsp"}) {
         const auto accel = built(scene, spec, small);
@@ -56,7 +62,7 @@ TEST(CostMap, of_several_samples_sums_to_the_count_too) {
     const Scene scene = load_scene(scene_name);
     ImageFormat format = small;
     format.spp = 3;
-    const RenderSettings settings = settings_by_pixel(format);
+    const RenderSettings settings = settings_by_pixel(settings_of(format));
     EXPECT_EQ(settings.batch, 3u);
     const auto accel = built(scene, "bvh", format);
     EXPECT_EQ(summarise(cost_map(scene, *accel, settings, Cost::tests)).sum,
@@ -66,7 +72,8 @@ TEST(CostMap, of_several_samples_sums_to_the_count_too) {
 TEST(CostMap, charges_a_pixel_with_the_rays_of_its_own_path) {
     const Scene scene = load_scene(scene_name);
     const auto accel = built(scene, "brute_force", small);
-    const ScalarImage map = cost_map(scene, *accel, settings_by_pixel(small), Cost::tests);
+    const ScalarImage map =
+        cost_map(scene, *accel, settings_by_pixel(settings_of(small)), Cost::tests);
     // An image of that pixel alone, in the middle of the raster: the same camera ray.
     const CameraRays camera(scene.camera, small);
     const auto integrator = make_integrator(scene, {});
@@ -87,9 +94,26 @@ TEST(CostMap, charges_a_pixel_with_the_rays_of_its_own_path) {
     }
 }
 
+TEST(CostMap, is_of_images_whose_rays_stay_in_their_pixels) {
+    RenderSettings wide = settings_of(small);
+    wide.filter = {FilterKind::raised_cosine, 1.6};
+    EXPECT_THROW(settings_by_pixel(wide), std::invalid_argument);
+    RenderSettings shared = settings_of(small);
+    shared.transport.method = Method::irradiance;
+    EXPECT_THROW(settings_by_pixel(shared), std::invalid_argument);
+    // All rays of paths through a lens are charged to somebody.
+    const Scene scene = load_scene("gallery/depth_of_field");
+    RenderSettings paths = settings_of({20, 15, 3, Raster::centres, 0});
+    paths.transport.method = Method::path;
+    const RenderSettings settings = settings_by_pixel(paths);
+    const auto accel = build(built_in_catalogue(), "bvh", build_input(scene, settings));
+    EXPECT_EQ(summarise(cost_map(scene, *accel, settings, Cost::tests)).sum,
+              counted(scene, *accel, settings, Event::object_test));
+}
+
 TEST(CostMap, of_time_is_positive_everywhere_and_no_more_than_the_whole_took) {
     const Scene scene = load_scene(scene_name);
-    const RenderSettings settings = settings_by_pixel(small);
+    const RenderSettings settings = settings_by_pixel(settings_of(small));
     const auto accel = built(scene, "bvh", small);
     const auto start = std::chrono::steady_clock::now();
     const ScalarImage map = cost_map(scene, *accel, settings, Cost::time);
