@@ -41,7 +41,7 @@ float box_support(const Box& box, const vec3& direction) {
 }
 
 /// The smooth normal of a triangle whose vertices all have one.
-vec3 interpolated(const std::array<vec3, 3>& normals, const Hit& hit, const vec3& flat) {
+vec3 interpolated(const std::array<vec3, 3>& normals, const Hit& hit, vec3 flat) {
     dvec3 sum(0);
     const std::array<double, 3> weights{1.0 - double(hit.u) - double(hit.v), hit.u, hit.v};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -50,6 +50,33 @@ vec3 interpolated(const std::array<vec3, 3>& normals, const Hit& hit, const vec3
     }
     const double size = length(sum);
     return size > 0 ? vec3(sum / size) : flat;
+}
+
+Normals flat(const vec3& normal) { return {normal, normal}; }
+
+Normals triangle_normals(const Geometry& geometry, std::uint32_t index, const Hit& hit) {
+    const vec3 geometric = geometric_normal(geometry.triangle(index));
+    const std::span<const vec3> normals = geometry.vertex_normals();
+    if (normals.empty()) return flat(geometric);
+    const auto& [a, b, c] = geometry.triangles()[index];
+    return {geometric, interpolated({normals[a], normals[b], normals[c]}, hit, geometric)};
+}
+
+Normals normals_at_rest(const Geometry& geometry, const PrimitiveRef& ref, const Ray& ray,
+                        const Hit& hit) {
+    const vec3 point = along(ray.origin, hit.t, ray.direction);
+    switch (ref.kind) {
+        case PrimitiveKind::triangle:
+            return triangle_normals(geometry, ref.index, hit);
+        case PrimitiveKind::sphere:
+            return flat(normal_at(geometry.sphere(ref.index), point));
+        case PrimitiveKind::frustum:
+            return flat(normal_at(geometry.frustum(ref.index), point));
+        case PrimitiveKind::polygon:
+            break;
+    }
+    const Polygon& polygon = geometry.polygon(ref.index);
+    return {geometric_normal(polygon), shading_normal(polygon, point)};
 }
 
 }  // namespace
@@ -96,35 +123,11 @@ float Geometry::support(std::uint32_t primitive, const vec3& direction) const {
 
 Normals Geometry::normal(const Ray& ray, const Hit& hit) const {
     const PrimitiveRef& ref = refs_[hit.primitive];
-    const bool moves = ref.motion != no_motion;
-    const Ray rest = moves ? into_rest_frame(motion(ref.motion), ray) : ray;
-    const vec3 point = along(rest.origin, hit.t, rest.direction);
-    Normals normals{};
-    switch (ref.kind) {
-        case PrimitiveKind::triangle: {
-            normals.geometric = geometric_normal(triangle(ref.index));
-            normals.shading = normals.geometric;
-            if (vertex_normals_.empty()) break;
-            const auto& [a, b, c] = triangles_[ref.index];
-            normals.shading =
-                interpolated({vertex_normals_[a], vertex_normals_[b], vertex_normals_[c]}, hit,
-                             normals.geometric);
-            break;
-        }
-        case PrimitiveKind::sphere:
-            normals.geometric = normals.shading = normal_at(spheres_[ref.index], point);
-            break;
-        case PrimitiveKind::frustum:
-            normals.geometric = normals.shading = normal_at(frusta_[ref.index], point);
-            break;
-        case PrimitiveKind::polygon:
-            normals.geometric = geometric_normal(polygons_[ref.index]);
-            normals.shading = shading_normal(polygons_[ref.index], point);
-            break;
-    }
-    if (!moves) return normals;
-    return {rotate_to_world(motion(ref.motion), ray.time, normals.geometric),
-            rotate_to_world(motion(ref.motion), ray.time, normals.shading)};
+    if (ref.motion == no_motion) return normals_at_rest(*this, ref, ray, hit);
+    const Motion& moves = motion(ref.motion);
+    const Normals rest = normals_at_rest(*this, ref, into_rest_frame(moves, ray), hit);
+    return {rotate_to_world(moves, ray.time, rest.geometric),
+            rotate_to_world(moves, ray.time, rest.shading)};
 }
 
 std::size_t Geometry::bytes() const {
