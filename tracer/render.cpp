@@ -128,7 +128,12 @@ RenderResult render(const Scene& scene, const Accel& accel, const RenderSettings
     } else {
         tbb::task_arena arena(settings.threads == 0 ? tbb::task_arena::automatic
                                                     : settings.threads);
-        arena.execute([&] { tbb::parallel_for(std::size_t{0}, tiles.size(), trace_tile); });
+        // Begun in their order, whatever oneTBB's: few tiles of splats wait for others.
+        std::atomic<std::size_t> next = 0;
+        arena.execute([&] {
+            tbb::parallel_for(std::size_t{0}, tiles.size(),
+                              [&](std::size_t) { trace_tile(next++); });
+        });
     }
     result.image = film.image();
     result.seconds = seconds_since(start);
