@@ -14,6 +14,9 @@ namespace rayshoot {
 struct Lane {
     std::unique_ptr<Session> session;
     TileTracer tracer;
+
+    Lane(std::unique_ptr<Session> opened, TileTracer tile_tracer)
+        : session(std::move(opened)), tracer(std::move(tile_tracer)) {}
 };
 
 /// A free list: last in, first out, so that warm caches are used first.
