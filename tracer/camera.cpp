@@ -2,7 +2,6 @@
 
 #include "accel/core/primitive/rounding.h"
 #include "tracer/lens.h"
-#include "tracer/random.h"
 #include "tracer/sampling/warp.h"
 
 #include <cmath>
@@ -31,15 +30,6 @@ Frame frame_of(const Camera& camera) {
     }
     const dvec3 right = normalised(side);
     return {right, cross(right, forward), forward};
-}
-
-/// The most nearly square factorisation: the smaller factor.
-int smaller_factor(int count) {
-    int factor = 1;
-    for (int candidate = 2; candidate * candidate <= count; ++candidate) {
-        if (count % candidate == 0) factor = candidate;
-    }
-    return factor;
 }
 
 void require_border(const ImageFormat& format, int border) {
@@ -99,8 +89,6 @@ CameraRays::CameraRays(const Camera& camera, const ImageFormat& format, int bord
     view_.height = format.height;
     view_.border = border;
     open_lens(camera);
-    strata_down_ = smaller_factor(format.spp);
-    strata_across_ = format.spp / strata_down_;
 }
 
 void CameraRays::open_lens(const Camera& camera) {
@@ -130,17 +118,8 @@ vec3 CameraRays::focused(vec3 origin, dvec3 direction, float time) const {
     return vec3((in_focus - dvec3(origin)) / distance);
 }
 
-Ray CameraRays::ray(Pixel pixel, int sample) const {
-    double x = 0.5, y = 0.5;  // within the cell
-    if (format_.spp > 1) {
-        const auto index =
-            static_cast<std::uint32_t>(pixel.y) * static_cast<std::uint32_t>(format_.width) +
-            static_cast<std::uint32_t>(pixel.x);
-        const RandomSequence random(format_.seed, index, static_cast<std::uint32_t>(sample));
-        x = (sample % strata_across_ + double{random.number(0)}) / strata_across_;
-        y = (sample / strata_across_ + double{random.number(1)}) / strata_down_;
-    }
-    const dvec3 direction = to_corner_ + across_ * (pixel.x + x) + down_ * (pixel.y + y);
+Ray CameraRays::ray(Pixel pixel) const {
+    const dvec3 direction = to_corner_ + across_ * (pixel.x + 0.5) + down_ * (pixel.y + 0.5);
     return placed(dvec3(0), direction, 0);
 }
 

@@ -20,9 +20,9 @@ enum class Raster : std::uint8_t { corners, centres };
 /// What an image is made of; one cell of the raster, with `spp` camera rays, becomes one pixel.
 struct ImageFormat {
     int width = 513, height = 513;  ///< cells, 1 to largest_image each
-    int spp = 1;                    ///< camera rays per cell; 1: through its middle, else jittered
+    int spp = 1;                    ///< camera rays per cell (Sampler)
     Raster raster = Raster::corners;
-    std::uint32_t seed = 0;  ///< of the jitter
+    std::uint32_t seed = 0;  ///< of all random numbers
 };
 inline constexpr int largest_image = 32767;  ///< cells along an axis: Source::cell holds int16
 inline constexpr int largest_spp = 1 << 16;
@@ -76,9 +76,8 @@ public:
         return source(cell(raster_x, raster_y));
     }
 
-    /// Sample `sample` of `spp`, through the lens's middle at time 0; it goes through the closed
-    /// cell (pixel.x, pixel.y) of the View.
-    Ray ray(Pixel pixel, int sample) const;
+    /// Through the middle of a cell and of the lens, at time 0.
+    Ray ray(Pixel pixel) const;
     static Source source(Pixel pixel) { return Source::cell(pixel.x, pixel.y); }
 
     const View& view() const { return view_; }
@@ -103,9 +102,8 @@ private:
     ImageFormat format_;
     View view_;
     std::optional<Lens> lens_;
-    dvec3 right_, up_;                         ///< orthonormal
-    dvec3 to_corner_, across_, down_;          ///< the view's, before they were rounded
-    int strata_across_ = 1, strata_down_ = 1;  ///< of a cell; their product is spp
+    dvec3 right_, up_;                 ///< orthonormal
+    dvec3 to_corner_, across_, down_;  ///< the view's, before they were rounded
 };
 
 }  // namespace rayshoot

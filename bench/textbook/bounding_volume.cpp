@@ -37,7 +37,7 @@ std::vector<Ray> rays_of(const Scene& scene, int edge) {
     for (int y = 0; y < edge; ++y) {
         for (int x = 0; x < edge; ++x) {
             rays.push_back(
-                camera.ray({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)}, 0));
+                camera.ray({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)}));
         }
     }
     return rays;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tracer/sampling/pair.h"
+#include "tracer/sampling/strata.h"
 
 namespace rayshoot {
 
@@ -10,9 +11,7 @@ struct LampParts {
 
     /// The most nearly square parts, `count` >= 1 in all.
     static LampParts of(int count) {
-        int down = 1;
-        for (int factor = 2; factor * factor <= count; ++factor)
-            if (count % factor == 0) down = factor;
+        const auto down = static_cast<int>(smaller_factor(static_cast<std::uint32_t>(count)));
         return {count / down, down};
     }
     int count() const { return across * down; }

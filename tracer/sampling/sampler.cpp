@@ -49,15 +49,6 @@ void require_valid(const SamplerSettings& settings) {
     }
 }
 
-/// The most nearly square factorisation: the smaller factor.
-std::uint32_t smaller_factor(std::uint32_t count) {
-    std::uint32_t factor = 1;
-    for (std::uint32_t candidate = 2; candidate * candidate <= count; ++candidate) {
-        if (count % candidate == 0) factor = candidate;
-    }
-    return factor;
-}
-
 /// A word for each cell of the raster.
 constexpr std::uint32_t packed(int x, int y) {
     return std::uint32_t{static_cast<std::uint16_t>(y)} << 16 | static_cast<std::uint16_t>(x);

@@ -5,6 +5,14 @@
 
 namespace rayshoot {
 
+/// Of the two factors of `count` >= 1 that make the most nearly square strata.
+constexpr std::uint32_t smaller_factor(std::uint32_t count) {
+    std::uint32_t factor = 1;
+    for (std::uint32_t candidate = 2; candidate * candidate <= count; ++candidate)
+        if (count % candidate == 0) factor = candidate;
+    return factor;
+}
+
 /// [0, 1) cut into equal strata, over the multiples of 2^-24 that a float holds. Each of these is
 /// in the stratum floor(count * x), exactly; so strata differ in length by at most 2^-24.
 class Strata {
